@@ -1,0 +1,21 @@
+/// @file The names of the channels.
+#pragma once
+
+namespace perceptor::channel {
+
+inline constexpr const char* laser = "PICO_LASER";
+inline constexpr const char* odometry = "PICO_ODOMETRY";
+inline constexpr const char* sonar = "PICO_SONAR";
+inline constexpr const char* velocity = "CMD_VELOCITY";
+inline constexpr const char* open_door = "CMD_OPEN_DOOR";
+inline constexpr const char* speak = "CMD_SPEAK";
+inline constexpr const char* truth = "SIM_TRUTH";
+inline constexpr const char* world = "SIM_WORLD";
+inline constexpr const char* position = "POSITION";
+inline constexpr const char* proximity = "PROXIMITY";
+inline constexpr const char* current_map = "CURRENT_MAP";
+inline constexpr const char* local_map = "LOCAL_MAP";
+inline constexpr const char* identified_map = "IDENTIFIED_MAP";
+inline constexpr const char* entrance = "ENTRANCE";
+
+}  // namespace perceptor::channel

@@ -1,0 +1,35 @@
+/// @file Does a well-formed message make sense? What is wrong with it, as a fixed text that
+/// is counted; empty: nothing.
+#pragma once
+
+#include <string_view>
+
+#include <pico/entrance_t.hpp>
+#include <pico/laser_scan_t.hpp>
+#include <pico/map_t.hpp>
+#include <pico/odometry_t.hpp>
+#include <pico/open_door_t.hpp>
+#include <pico/position_t.hpp>
+#include <pico/proximity_t.hpp>
+#include <pico/sonar_t.hpp>
+#include <pico/speak_t.hpp>
+#include <pico/status_t.hpp>
+#include <pico/truth_t.hpp>
+#include <pico/velocity_t.hpp>
+
+namespace perceptor::messages {
+
+std::string_view validate(const pico::laser_scan_t& scan);
+std::string_view validate(const pico::odometry_t& odometry);
+std::string_view validate(const pico::sonar_t& sonar);
+std::string_view validate(const pico::velocity_t& velocity);
+std::string_view validate(const pico::open_door_t& request);
+std::string_view validate(const pico::speak_t& speech);
+std::string_view validate(const pico::truth_t& truth);
+std::string_view validate(const pico::position_t& position);
+std::string_view validate(const pico::proximity_t& proximity);
+std::string_view validate(const pico::map_t& map);
+std::string_view validate(const pico::entrance_t& entrance);
+std::string_view validate(const pico::status_t& status);
+
+}  // namespace perceptor::messages
