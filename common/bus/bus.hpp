@@ -2,10 +2,13 @@
 /// out. No message can bring the process down.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <lcm/lcm-cpp.hpp>
@@ -17,56 +20,123 @@
 
 namespace perceptor {
 
-/// One datagram; LCM-level fragments are never needed below it.
+/// A payload of this size still fits one datagram, so that LCM never needs fragments [bytes].
 inline constexpr std::size_t kMaxPayload = 60'000;
 
 class Bus {
  public:
-  /// Input and output may be one object. Both must outlive the bus.
+  using Bytes = std::span<const std::uint8_t>;
+
+  /// Input and output may be one object. Both, and the status, must outlive the bus.
   Bus(lcm::LCM& input, lcm::LCM& output, Status& status);
   ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// Calls `handler(message, began_anew)` for every good message, in order of arrival. Checked
-  /// before: fingerprint, counts and size on the raw bytes, then `validate`, then that time
-  /// goes forward. `began_anew`: the channel's first message, a new session, or time that
-  /// stepped back by more than 2 s. `capacity`: messages that may wait for the handler; a full
-  /// queue loses the newest, so choose it for what the channel is.
+  /// Calls `handler(message, began_anew)` for every good message, in order of arrival. Before
+  /// that: fingerprint, counts and size are checked on the raw bytes, then `validate`, then
+  /// that time goes forward. `began_anew`: the channel's first message, a new session, or time
+  /// that stepped back by more than 2 s. `capacity`: messages that may wait for the handler; a
+  /// full queue loses the newest, so choose it for what the channel is.
   template <class Message>
   void subscribe(const std::string& channel, int capacity,
                  std::function<void(const Message&, bool began_anew)> handler);
 
-  /// Calls `handler(message)` for every well-formed message, its stamp unchecked: for
-  /// commands.
+  /// Calls `handler(message)` for every valid message, whatever its stamp: for commands.
   template <class Message>
-  void subscribe_unordered(const std::string& channel, int capacity,
-                           std::function<void(const Message&)> handler);
+  void subscribe_command(const std::string& channel, int capacity,
+                         std::function<void(const Message&)> handler);
 
-  /// Encodes and sends. A payload above kMaxPayload is not sent, and counted as rejected on
-  /// its own channel.
+  /// Encodes and sends.
   template <class Message>
   void publish(const std::string& channel, const Message& message);
 
-  /// Sends bytes as they are (a recorded message), checked like input.
-  void publish_raw(const std::string& channel, const void* data, std::size_t size);
+  /// Sends a recorded message as it is. One that fails the check of raw bytes, or whose
+  /// channel is none of ours, is rejected.
+  void publish_recorded(const std::string& channel, Bytes payload);
 
-  /// Counts a message or part of one that the component itself turns down.
-  void reject(std::string_view channel, std::string_view reason, std::int64_t count = 1);
+  /// Sends a STATUS; it is not counted among the outputs, which it describes.
+  void publish_status(std::int64_t utime, bool last);
+
+  /// Counts a message that the component turns down.
+  void reject(const std::string& channel, std::string_view reason);
+
+  /// Counts what turned no message down: beams that are not used, a jump that was bridged.
+  void count(std::string_view channel, std::string_view reason, std::int64_t times);
 
   Status& status() { return status_; }
 
  private:
   struct Subscription;
-  void subscribe_raw(const std::string& channel, int capacity,
-                     std::function<void(const lcm::ReceiveBuffer&)> handler);
-  void send(const std::string& channel, const std::vector<std::uint8_t>& payload,
-            const Stamp& stamp);
+
+  /// `take` gives the reason why it turns the bytes down; empty: it took them.
+  void subscribe_bytes(const std::string& channel, int capacity,
+                       std::function<std::string_view(Bytes)> take);
+  void send(const std::string& channel, Bytes payload, const Stamp& stamp);
 
   lcm::LCM& input_;
   lcm::LCM& output_;
   Status& status_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
 };
+
+namespace detail {
+
+/// Why a message is no good; empty: nothing, and `message` holds it.
+template <class Message>
+std::string_view decode(Bus::Bytes bytes, Message& message) {
+  if (const auto fault = messages::find_fault<Message>(bytes); !fault.empty()) return fault;
+  const auto size = static_cast<int>(bytes.size());
+  if (message.decode(bytes.data(), 0, size) != size) return "decoded size differs";
+  return messages::validate(message);
+}
+
+template <class Message>
+std::vector<std::uint8_t> encode(const Message& message) {
+  std::vector<std::uint8_t> payload(static_cast<std::size_t>(message.getEncodedSize()));
+  message.encode(payload.data(), 0, static_cast<int>(payload.size()));
+  return payload;
+}
+
+/// Empty where the message goes on.
+std::string_view order_fault(Continuity continuity);
+
+}  // namespace detail
+
+template <class Message>
+void Bus::subscribe(const std::string& channel, int capacity,
+                    std::function<void(const Message&, bool began_anew)> handler) {
+  subscribe_bytes(channel, capacity,
+                  [this, channel, handler = std::move(handler),
+                   watch = ContinuityWatch()](Bytes bytes) mutable -> std::string_view {
+                    Message message;
+                    if (const auto fault = detail::decode(bytes, message); !fault.empty())
+                      return fault;
+                    const Continuity continuity = watch.check(stamp_of(message));
+                    if (const auto fault = detail::order_fault(continuity); !fault.empty())
+                      return fault;
+                    status_.accepted(channel, stamp_of(message), watch);
+                    handler(message, continuity == Continuity::began_anew);
+                    return {};
+                  });
+}
+
+template <class Message>
+void Bus::subscribe_command(const std::string& channel, int capacity,
+                            std::function<void(const Message&)> handler) {
+  subscribe_bytes(channel, capacity,
+                  [handler = std::move(handler)](Bytes bytes) -> std::string_view {
+                    Message message;
+                    if (const auto fault = detail::decode(bytes, message); !fault.empty())
+                      return fault;
+                    handler(message);
+                    return {};
+                  });
+}
+
+template <class Message>
+void Bus::publish(const std::string& channel, const Message& message) {
+  send(channel, detail::encode(message), stamp_of(message));
+}
 
 }  // namespace perceptor

@@ -1,5 +1,9 @@
-/// @file The names of the channels.
+/// @file The names of the channels, and what travels on each.
 #pragma once
+
+#include <string_view>
+
+#include <lcm/lcm_coretypes.h>
 
 namespace perceptor::channel {
 
@@ -17,5 +21,9 @@ inline constexpr const char* current_map = "CURRENT_MAP";
 inline constexpr const char* local_map = "LOCAL_MAP";
 inline constexpr const char* identified_map = "IDENTIFIED_MAP";
 inline constexpr const char* entrance = "ENTRANCE";
+inline constexpr std::string_view status_prefix = "STATUS_";
+
+/// The type of the messages on a channel of ours; null for any other channel.
+const lcm_type_info_t* type_on(std::string_view channel);
 
 }  // namespace perceptor::channel

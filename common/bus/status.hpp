@@ -1,12 +1,11 @@
 /// @file What a component counts of itself, and the STATUS message it makes of it.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <pico/status_t.hpp>
@@ -22,30 +21,40 @@ class Status {
   Status(std::string component, std::int64_t boot);
 
   const std::string& component() const { return component_; }
+
   /// STATUS_<NAME>
   std::string channel() const;
 
   void add_input(const std::string& channel);
-  void add_output(const std::string& channel);
 
+  /// A message came in, good or bad.
   void received(const std::string& channel);
+
+  /// It is good, and part of the sequence that `watch` watches.
   void accepted(const std::string& channel, const Stamp& stamp, const ContinuityWatch& watch);
+
+  /// A message came in and was turned down.
+  void rejected(const std::string& channel, std::string_view reason);
+
+  /// Something worth counting that turned no message down: beams without a return.
+  void counted(std::string_view channel, std::string_view reason, std::int64_t count);
+
   void published(const std::string& channel, const Stamp& stamp);
-  void rejected(std::string_view channel, std::string_view reason, std::int64_t count = 1);
+
+  /// Of one message [us].
   void processing_time(double microseconds);
 
-  /// A promise is suspended (a buffer overflowed, extrapolation is on); it says so once more
-  /// in each STATUS from now on.
+  /// A promise is suspended; every STATUS says so from now on, with the first reason.
   void degrade(std::string_view why);
 
-  /// For people; replaced by the next one.
+  /// For people, in every STATUS until replaced.
   void set_note(std::string_view note);
 
-  /// The message, as of now. `stale_after` [us]: an input that has not come for longer since
-  /// the last STATUS is stale.
+  /// The message as of `utime`. An input is stale when nothing came since the last but one.
   pico::status_t message(std::int64_t utime, bool last);
 
-  std::int64_t rejected_in_all() const;
+  /// Messages turned down since this was last asked, a line for each reason.
+  std::vector<std::string> take_news();
 
  private:
   struct Input {
@@ -55,19 +64,25 @@ class Status {
     std::int64_t restarts = 0;
     std::int64_t last_utime = 0;
     std::int64_t received_at_last_status = 0;
+    int silent_statuses = 0;
   };
   struct Output {
     std::int64_t published = 0;
     Stamp last{0, 0, -1};
   };
+  using Reason = std::pair<std::string, std::string>;  ///< channel, text
+
+  std::string note() const;
+  double quantile_us(double share) const;
 
   std::string component_;
   std::int64_t boot_;
   std::int64_t seq_ = 0;
-  std::map<std::string, Input, std::less<>> inputs_;
-  std::map<std::string, Output, std::less<>> outputs_;
-  std::map<std::pair<std::string, std::string>, std::int64_t> rejects_;
-  std::deque<double> recent_us_;
+  std::map<std::string, Input> inputs_;
+  std::map<std::string, Output> outputs_;
+  std::map<Reason, std::int64_t> reasons_;
+  std::map<Reason, std::int64_t> news_;
+  std::vector<double> recent_us_;  ///< a ring of the last processing times
   std::int64_t processed_ = 0;
   double max_us_ = 0.0;
   std::string degraded_;

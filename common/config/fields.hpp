@@ -69,14 +69,18 @@ class Fields {
   template <class Element>
   void list(std::string_view key, std::vector<Element>& value, std::string_view help);
 
+  /// What no single range can say ("valid_min below valid_max"): checked once everything is
+  /// read, told as a fault of `key`. Describe functions are also called to print; so this
+  /// does nothing but in `load` and `load_file`.
+  virtual void require(bool holds, std::string_view key, std::string_view allowed);
+
  protected:
   virtual void word(std::string_view key, std::string& value,
                     const std::vector<std::string>& allowed, std::string_view help) = 0;
   virtual void group_of(std::string_view key, const std::function<void(Fields&)>& inner,
                         std::string_view help) = 0;
   /// `resize` sets the number of elements and gives it back; kKeepSize only asks.
-  virtual void list_of(std::string_view key,
-                       const std::function<std::size_t(std::size_t)>& resize,
+  virtual void list_of(std::string_view key, const std::function<std::size_t(std::size_t)>& resize,
                        const std::function<void(Fields&, std::size_t)>& element,
                        std::string_view help) = 0;
   static constexpr std::size_t kKeepSize = std::numeric_limits<std::size_t>::max();
@@ -99,7 +103,8 @@ void Fields::choice(std::string_view key, Enum& value,
 
 template <class Struct>
 void Fields::group(std::string_view key, Struct& value, std::string_view help) {
-  group_of(key, [&value](Fields& inner) { describe(inner, value); }, help);
+  group_of(
+      key, [&value](Fields& inner) { describe(inner, value); }, help);
 }
 
 template <class Element>

@@ -30,8 +30,8 @@ struct LaserMounting {
 struct Robot {
   /// Outline of the base, counter-clockwise, at least three corners. PICO: an octagon
   /// within 0.41 m (along) by 0.35 m (across).
-  std::vector<FootprintCorner> footprint = {{0.205, 0.075},   {0.105, 0.175},  {-0.105, 0.175},
-                                            {-0.205, 0.075},  {-0.205, -0.075}, {-0.105, -0.175},
+  std::vector<FootprintCorner> footprint = {{0.205, 0.075},  {0.105, 0.175},   {-0.105, 0.175},
+                                            {-0.205, 0.075}, {-0.205, -0.075}, {-0.105, -0.175},
                                             {0.105, -0.175}, {0.205, -0.075}};
   RobotLimits limits;
   LaserMounting laser;

@@ -14,12 +14,12 @@ namespace perceptor {
 struct Floorplan {
   using Edge = std::array<int, 2>;  ///< indices into points
 
-  std::vector<Vector2> points;               ///< [m] world frame
-  std::vector<Edge> walls;                   ///< in no particular order or direction
-  std::vector<std::vector<Edge>> cabinets;   ///< the first edge is the front
-  std::vector<std::vector<Edge>> doors;      ///< optional in the file (2022)
-  std::vector<std::vector<Edge>> start_area; ///< optional in the file (2022)
-  std::vector<std::string> ignored;          ///< JSON pointers of keys that are not known
+  std::vector<Vector2> points;                ///< [m] world frame
+  std::vector<Edge> walls;                    ///< in no particular order or direction
+  std::vector<std::vector<Edge>> cabinets;    ///< the first edge is the front
+  std::vector<std::vector<Edge>> doors;       ///< optional in the file (2022)
+  std::vector<std::vector<Edge>> start_area;  ///< optional in the file (2022)
+  std::vector<std::string> ignored;           ///< JSON pointers of keys that are not known
 
   Segment segment(const Edge& edge) const {
     return {points[static_cast<std::size_t>(edge[0])], points[static_cast<std::size_t>(edge[1])]};

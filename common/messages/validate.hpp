@@ -2,6 +2,8 @@
 /// is counted; empty: nothing.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include <pico/entrance_t.hpp>
@@ -18,6 +20,14 @@
 #include <pico/velocity_t.hpp>
 
 namespace perceptor::messages {
+
+inline constexpr std::int32_t kMaxBeams = 10'000;
+inline constexpr std::int32_t kMaxIrregularBeams = 7'000;  ///< more would not fit one datagram
+inline constexpr double kMaxSweepTime = 1.0;               ///< [s] from the first beam to the last
+inline constexpr double kMinRangeSigma = 1e-9;             ///< [m] so that its square is a number
+inline constexpr std::size_t kMaxSpeech = 1'000;           ///< [bytes]
+inline constexpr std::int32_t kMaxMapPoints = 1'000;       ///< more than a datagram holds
+inline constexpr std::int32_t kMaxMapObjects = 1'000;      ///< the same
 
 std::string_view validate(const pico::laser_scan_t& scan);
 std::string_view validate(const pico::odometry_t& odometry);

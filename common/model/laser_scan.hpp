@@ -30,10 +30,10 @@ std::size_t count_returns(const LaserScan& scan);
 
 /// Where one beam ends.
 struct BeamEnd {
-  Vector2 location;         ///< [m] robot frame at the time of the first beam
-  Vector2 origin;           ///< [m] where the laser was when it measured, same frame
-  double range = 0.0;       ///< [m] along the beam
-  std::size_t beam = 0;     ///< index into the scan
+  Vector2 location;      ///< [m] robot frame at the time of the first beam
+  Vector2 origin;        ///< [m] where the laser was when it measured, same frame
+  double range = 0.0;    ///< [m] along the beam
+  std::size_t beam = 0;  ///< index into the scan
 };
 
 /// The ends of all beams that returned, in the robot frame at the time of the first beam.

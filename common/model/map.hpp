@@ -51,11 +51,11 @@ struct Point {
   std::optional<Eigen::Matrix2d> covariance;  ///< [m^2] of the location
   PointProperty property = PointProperty::floating;
   CornerMethod method = CornerMethod::none;
-  double radius = 0.0;        ///< [m] within which it connects to another wall's end
-  double weight = 0.0;        ///< how certain the location is
-  Index connected = kNone;    ///< end of another wall that forms the corner with it
-  Index projection = kNone;   ///< point it lies on top of after merging
-  std::vector<Index> parents; ///< objects that it belongs to; none: a lone corner
+  double radius = 0.0;         ///< [m] within which it connects to another wall's end
+  double weight = 0.0;         ///< how certain the location is
+  Index connected = kNone;     ///< end of another wall that forms the corner with it
+  Index projection = kNone;    ///< point it lies on top of after merging
+  std::vector<Index> parents;  ///< objects that it belongs to; none: a lone corner
 };
 
 struct Object {

@@ -1,92 +1,100 @@
 /// @file Pairs what was measured at T with the robot's position at T: the only place that
 /// pairs, waits or drops.
 ///
-/// Positions come in segments: runs of one session and one zero frame, within which time
-/// only goes forward. An item waits until its segment brackets it, or is dropped when that
-/// cannot happen any more. Both decisions follow from the two sequences alone, not from how
-/// they are interleaved, as long as no buffer overflows.
+/// Items wait, first in first out, until the positions on both sides of them are there. An
+/// item's fate follows from the sequence of items and the sequence of positions alone, however
+/// the two are interleaved, as long as no buffer overflows and nothing is extrapolated.
 #pragma once
 
-#include <cstdint>
 #include <deque>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 
-#include "common/geometry/position.hpp"
+#include "common/time/position_history.hpp"
 #include "common/time/stamp.hpp"
 
 namespace perceptor {
 
-struct AlignerParameters {
-  double max_gap = 0.5;            ///< [s] wider brackets are not trusted
-  double max_extrapolation = 0.0;  ///< [s] pair without waiting up to this far ahead; then
-                                   ///< results depend on arrival, and STATUS says so
-  int max_items = 100;             ///< waiting for their bracket; beyond it the oldest goes
-  int max_positions = 4000;        ///< kept for items that come late
-};
-
-/// Velocity in the robot frame.
-struct Twist {
-  double vx = 0.0;  ///< [m/s] forward
-  double vy = 0.0;  ///< [m/s] left
-  double va = 0.0;  ///< [rad/s]
-};
-
-/// Where the robot was, and how it moved, when an item was measured.
-struct AlignedPosition {
-  Position robot_in_zero;
-  Twist twist;                   ///< over the bracket; zero where one position served alone
-  std::int64_t zero_utime = 0;   ///< names the zero frame
-  bool began_anew = false;       ///< another segment than that of the item before
-};
-
-namespace drop_reason {
-inline constexpr std::string_view before_first = "before the first position";
-inline constexpr std::string_view after_last = "after the last position";
-inline constexpr std::string_view gap = "positions around it too far apart";
-inline constexpr std::string_view no_session = "no position in its session";
-inline constexpr std::string_view overflow = "waited too long for a position";
-inline constexpr std::string_view forgotten = "its positions are forgotten";
-}  // namespace drop_reason
-
-/// The positions, in segments, and the question what an item's fate is.
-class PositionHistory {
+template <class Item>
+class Aligner {
  public:
-  struct Fate {
-    enum class Kind { paired, wait, dropped } kind = Kind::wait;
-    AlignedPosition position;     ///< where paired
-    std::string_view reason;      ///< where dropped
-    bool extrapolated = false;
+  struct Paired {
+    Stamp stamp;
+    Item item;
+    AlignedPosition position;
   };
+  struct Dropped {
+    Stamp stamp;
+    std::string_view reason;
+  };
+  using Outcome = std::variant<Paired, Dropped>;
 
-  explicit PositionHistory(const AlignerParameters& parameters) : parameters_(parameters) {}
+  explicit Aligner(const AlignerParameters& parameters)
+      : parameters_(parameters), history_(parameters) {}
 
-  /// `restarted`: the channel's time stepped back within the session.
-  void add(const Stamp& stamp, bool restarted, std::int64_t zero_utime,
-           const Position& robot_in_zero);
+  /// `began_anew`: as the bus says, for each of the two channels.
+  void add_position(const Stamp& stamp, bool began_anew, std::int64_t zero_utime,
+                    const Position& robot_in_zero) {
+    history_.add(stamp, began_anew, zero_utime, robot_in_zero);
+  }
 
-  /// `restarted`: the items' time stepped back within the session since the item before.
-  /// Once an item is paired or dropped, later items are not looked for in earlier segments.
-  Fate decide(const Stamp& item, bool restarted);
+  void add_item(const Stamp& stamp, bool began_anew, Item item) {
+    waiting_.push_back({stamp, began_anew, std::move(item)});
+  }
 
-  bool has_session(std::int64_t session) const;
+  /// The next outcome, in the order of the items; none while the oldest item waits.
+  std::optional<Outcome> next() {
+    if (waiting_.empty()) return std::nullopt;
+    Waiting& oldest = waiting_.front();
+    PositionHistory::Fate fate = history_.decide(oldest.stamp, oldest.began_anew);
+    if (const auto* paired = std::get_if<AlignedPosition>(&fate)) {
+      Outcome outcome = Paired{oldest.stamp, std::move(oldest.item), *paired};
+      waiting_.pop_front();
+      return outcome;
+    }
+    if (const auto* dropped = std::get_if<DropReason>(&fate)) return drop_oldest(dropped->text);
+    if (!history_.knows_session(oldest.stamp.session) && a_later_session_has_positions())
+      return drop_oldest(drop_reason::no_session);
+    if (static_cast<int>(waiting_.size()) > parameters_.max_items) {
+      overflowed_ = true;
+      history_.allow_all_segments();
+      return drop_oldest(drop_reason::overflow);
+    }
+    return std::nullopt;
+  }
+
+  /// Whether arrival order has had a say: a buffer overflowed, or a position was extrapolated.
+  bool depends_on_arrival() const { return overflowed_ || history_.depends_on_arrival(); }
 
  private:
-  struct Sample {
-    std::int64_t utime;
-    Position robot_in_zero;
+  struct Waiting {
+    Stamp stamp;
+    bool began_anew;
+    Item item;
   };
-  struct PositionSegment {
-    std::int64_t number;  ///< counted from 0
-    std::int64_t session;
-    std::int64_t zero_utime;
-    std::deque<Sample> samples;
-    bool forgot_some = false;
-  };
-  // (implementation detail)
+
+  /// A channel's sessions come one after the other: once a later one has positions, none will
+  /// come for this one.
+  bool a_later_session_has_positions() const {
+    for (const Waiting& item : waiting_)
+      if (item.stamp.session != waiting_.front().stamp.session &&
+          history_.knows_session(item.stamp.session))
+        return true;
+    return false;
+  }
+
+  Outcome drop_oldest(std::string_view reason) {
+    const Dropped dropped{waiting_.front().stamp, reason};
+    waiting_.pop_front();
+    return dropped;
+  }
+
   AlignerParameters parameters_;
-  std::deque<PositionSegment> segments_;
+  PositionHistory history_;
+  std::deque<Waiting> waiting_;
+  bool overflowed_ = false;
 };
 
 }  // namespace perceptor

@@ -1,0 +1,108 @@
+#include "common/bus/bus.hpp"
+
+#include <chrono>
+#include <exception>
+
+#include "common/bus/channels.hpp"
+
+namespace perceptor {
+namespace {
+
+/// A recorded message's stamp, from its raw bytes: after the fingerprint, every data message
+/// begins with utime, session and seq, each a big-endian int64.
+Stamp stamp_in(Bus::Bytes payload) {
+  const auto int64_at = [&](std::size_t offset) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < 8; ++i) value = value << 8U | payload[offset + i];
+    return static_cast<std::int64_t>(value);
+  };
+  return {int64_at(8), int64_at(16), int64_at(24)};
+}
+
+}  // namespace
+
+struct Bus::Subscription {
+  Bus& bus;
+  std::string channel;
+  std::function<std::string_view(Bytes)> take;
+  lcm_subscription_t* handle = nullptr;
+
+  void receive(Bytes bytes) {
+    const auto started = std::chrono::steady_clock::now();
+    bus.status_.received(channel);
+    // An exception that leaves a handler makes the next lcm_handle abort the process.
+    try {
+      if (const auto reason = take(bytes); !reason.empty()) bus.reject(channel, reason);
+    } catch (const std::exception&) {
+      bus.reject(channel, "failed while it was processed");
+    }
+    const std::chrono::duration<double, std::micro> spent =
+        std::chrono::steady_clock::now() - started;
+    bus.status_.processing_time(spent.count());
+  }
+};
+
+Bus::Bus(lcm::LCM& input, lcm::LCM& output, Status& status)
+    : input_(input), output_(output), status_(status) {}
+
+Bus::~Bus() {
+  for (const auto& subscription : subscriptions_)
+    lcm_unsubscribe(input_.getUnderlyingLCM(), subscription->handle);
+}
+
+void Bus::subscribe_bytes(const std::string& channel, int capacity,
+                          std::function<std::string_view(Bytes)> take) {
+  status_.add_input(channel);
+  auto& subscription = *subscriptions_.emplace_back(
+      std::make_unique<Subscription>(*this, channel, std::move(take)));
+  subscription.handle = lcm_subscribe(
+      input_.getUnderlyingLCM(), channel.c_str(),
+      [](const lcm_recv_buf_t* buffer, const char*, void* self) {
+        static_cast<Subscription*>(self)->receive(
+            {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size});
+      },
+      &subscription);
+  lcm_subscription_set_queue_capacity(subscription.handle, capacity);
+}
+
+void Bus::send(const std::string& channel, Bytes payload, const Stamp& stamp) {
+  if (payload.size() > kMaxPayload) return count(channel, "too large to send", 1);
+  if (output_.publish(channel, payload.data(), static_cast<unsigned>(payload.size())) != 0)
+    return count(channel, "the bus did not take it", 1);
+  status_.published(channel, stamp);
+}
+
+void Bus::publish_recorded(const std::string& channel, Bytes payload) {
+  const lcm_type_info_t* type = channel::type_on(channel);
+  const auto fault = type ? messages::find_fault(type, payload) : "no channel of ours";
+  if (!fault.empty()) return reject(channel, fault);
+  send(channel, payload, stamp_in(payload));
+}
+
+void Bus::publish_status(std::int64_t utime, bool last) {
+  const auto payload = detail::encode(status_.message(utime, last));
+  output_.publish(status_.channel(), payload.data(), static_cast<unsigned>(payload.size()));
+}
+
+void Bus::reject(const std::string& channel, std::string_view reason) {
+  status_.rejected(channel, reason);
+}
+
+void Bus::count(std::string_view channel, std::string_view reason, std::int64_t times) {
+  status_.counted(channel, reason, times);
+}
+
+std::string_view detail::order_fault(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::stepped_back:
+      return "time stepped back";
+    case Continuity::repeated:
+      return "time stood still";
+    case Continuity::continues:
+    case Continuity::began_anew:
+      break;
+  }
+  return {};
+}
+
+}  // namespace perceptor

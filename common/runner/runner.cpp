@@ -1,0 +1,93 @@
+#include "common/runner/runner.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <iostream>
+
+#include "common/runner/stop_signal.hpp"
+
+namespace perceptor {
+namespace {
+
+constexpr std::int64_t kStatusPeriod = kMicrosecondsPerSecond;
+constexpr int kDrainQuiet_ms = 150;  // nothing for this long: the input is drained
+constexpr std::int64_t kDrainLimit = 5 * kMicrosecondsPerSecond;
+
+template <class Clock>
+std::int64_t microseconds() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch())
+      .count();
+}
+std::int64_t monotonic_now() { return microseconds<std::chrono::steady_clock>(); }
+std::int64_t wall_now() { return microseconds<std::chrono::system_clock>(); }
+
+/// Waits for one message, at most so long, and handles it. False: the bus is broken.
+bool handle_one(lcm::LCM& lcm, int timeout_ms) {
+  return lcm.handleTimeout(timeout_ms) >= 0 || errno == EINTR;
+}
+
+void drain(lcm::LCM& lcm) {
+  const std::int64_t give_up = monotonic_now() + kDrainLimit;
+  while (monotonic_now() < give_up && lcm.handleTimeout(kDrainQuiet_ms) > 0) {
+  }
+}
+
+void print_news(const Face& face, Status& status) {
+  for (const std::string& line : status.take_news())
+    std::cerr << "pico-" << face.name << ": " << line << std::endl;
+}
+
+ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, const Work& work) {
+  bus.publish_status(wall_now(), false);
+  std::int64_t next_status = monotonic_now() + kStatusPeriod;
+  while (!stop_requested() && !work.finished()) {
+    const std::int64_t next_step = work.step(monotonic_now());
+    const std::int64_t wait = std::min(next_step, next_status) - monotonic_now();
+    const auto wait_ms = static_cast<int>(std::max<std::int64_t>(0, (wait + 999) / 1000));
+    if (!handle_one(lcm, wait_ms)) {
+      std::cerr << "pico-" << face.name << ": the bus broke while waiting for messages\n";
+      return kExitFailed;
+    }
+    if (monotonic_now() >= next_status) {
+      bus.publish_status(wall_now(), false);
+      print_news(face, bus.status());
+      next_status = std::max(next_status + kStatusPeriod, monotonic_now());
+    }
+  }
+  drain(lcm);
+  bus.publish_status(wall_now(), true);
+  print_news(face, bus.status());
+  return kExitOk;
+}
+
+}  // namespace
+
+void print_no_bus(std::string_view program, const std::string& lcm_url) {
+  std::cerr << program << ": cannot open the bus "
+            << (lcm_url.empty() ? "(LCM's default)" : lcm_url)
+            << ". Is there a route for multicast? On one machine, as root:\n"
+               "  ip link set lo multicast on; ip route add 224.0.0.0/4 dev lo\n";
+}
+
+ExitCode run(const Face& face, const Options& options, const std::function<Work(Bus&)>& start) {
+  catch_stop_signals();
+  lcm::LCM lcm(options.lcm_url);
+  if (!lcm.good()) {
+    print_no_bus("pico-" + std::string(face.name), options.lcm_url);
+    return kExitFailed;
+  }
+  Status status{std::string(face.name), wall_now()};
+  Bus bus(lcm, lcm, status);
+  try {
+    return spin(face, lcm, bus, start(bus));
+  } catch (const config::Error& error) {
+    std::cerr << "pico-" << face.name << ": " << error.what() << '\n';
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "pico-" << face.name << ": " << error.what() << '\n';
+    return kExitFailed;
+  }
+}
+
+}  // namespace perceptor

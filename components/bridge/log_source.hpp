@@ -1,0 +1,43 @@
+/// @file A recorded log as a source: its PICO_* messages are published again, byte for byte, at
+/// the log's own pace.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "common/bus/bus.hpp"
+#include "common/log/event_log.hpp"
+#include "components/bridge/pace.hpp"
+
+namespace perceptor {
+
+class LogSource {
+ public:
+  /// `speed` and `duration` [s] as in BridgeConfig. Throws config::Error where the log cannot be
+  /// read.
+  LogSource(const std::filesystem::path& file, double speed, double duration, Bus& bus);
+
+  /// Publishes what has become due by `now` [us, monotonic], though not more than a little at a
+  /// time; gives when to be called next.
+  std::int64_t step(std::int64_t now);
+
+  bool finished() const { return at_end_; }
+
+ private:
+  void read_next();
+  void say_how_it_goes();
+
+  Bus& bus_;
+  LogReader reader_;
+  std::int64_t duration_;  ///< [us]; 0: to the end
+  LogEvent next_;          ///< not published yet
+  bool at_end_ = false;
+  std::int64_t first_ = 0;  ///< [us] stamp of the first event published
+  std::int64_t due_ = 0;    ///< [us] of `next_`: the running maximum of the log's stamps
+  Pace pace_;
+  std::int64_t published_ = 0;
+  std::size_t damage_told_ = 0;  ///< damaged stretches counted so far
+  std::int64_t next_note_ = 0;   ///< [us] log time
+};
+
+}  // namespace perceptor

@@ -1,0 +1,92 @@
+#include "components/bridge/sim/base.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace perceptor::sim {
+namespace {
+
+/// At most `limit` long, in the same direction.
+Vector2 limited(const Vector2& v, double limit) {
+  const double size = v.norm();
+  return size > limit ? Vector2(v * (limit / size)) : v;
+}
+
+/// What stands within `reach` of a place: the rest cannot be touched in this step.
+Obstacles near(const Obstacles& all, const Vector2& place, double reach) {
+  Obstacles result;
+  for (const Segment& segment : all.segments)
+    if (distance(segment, place) <= reach) result.segments.push_back(segment);
+  for (const Circle& body : all.bodies)
+    if (distance(body.centre, place) <= reach + body.radius) result.bodies.push_back(body);
+  return result;
+}
+
+/// The direction along the surface of what a footprint touches; none: it touches nothing.
+std::optional<Vector2> touched_surface(const Polygon& footprint, const Vector2& centre,
+                                       const Obstacles& obstacles) {
+  for (const Segment& segment : obstacles.segments)
+    if (touches(footprint, segment)) return direction(segment);
+  for (const Circle& body : obstacles.bodies)
+    if (touches(footprint, body)) return perpendicular(unit(body.centre - centre));
+  return std::nullopt;
+}
+
+bool is_still(const Twist& twist) { return twist.vx == 0.0 && twist.vy == 0.0 && twist.va == 0.0; }
+
+}  // namespace
+
+Base::Base(const BaseParameters& parameters, const Position& robot_in_world)
+    : parameters_(parameters),
+      reach_(radius_of(parameters.footprint)),
+      robot_in_world_(robot_in_world) {}
+
+Twist Base::next_twist(const Twist& wished, double seconds) const {
+  const Vector2 present{twist_.vx, twist_.vy};
+  const Vector2 allowed = limited({wished.vx, wished.vy}, parameters_.speed);
+  const Vector2 next = present + limited(allowed - present, parameters_.acceleration * seconds);
+  const double allowed_turn =
+      std::clamp(wished.va, -parameters_.turn_rate, parameters_.turn_rate);
+  const double turn_step = parameters_.angular_acceleration * seconds;
+  const double next_turn = twist_.va + std::clamp(allowed_turn - twist_.va, -turn_step, turn_step);
+  return {next.x(), next.y(), next_turn};
+}
+
+void Base::advance(const Twist& wished, double seconds, const Obstacles& obstacles) {
+  const Twist twist = next_twist(wished, seconds);
+  const Position goal = compose(robot_in_world_, move(twist, seconds));
+  const Vector2 step = goal.location() - robot_in_world_.location();
+  const Obstacles around = near(obstacles, robot_in_world_.location(), reach_ + step.norm());
+  const auto surface_at = [&](const Position& position) {
+    return touched_surface(transform(position, parameters_.footprint), position.location(), around);
+  };
+
+  const std::optional<Vector2> surface = surface_at(goal);
+  if (!surface) {
+    // Free; but a base that leans against something and does not move still leans.
+    in_collision_ = in_collision_ && is_still(twist);
+    robot_in_world_ = goal;
+    twist_ = twist;
+    return;
+  }
+  in_collision_ = true;
+  const Vector2 along = robot_in_world_.location() + *surface * surface->dot(step);
+  const std::array<Position, 2> ways_out = {
+      Position{along.x(), along.y(), robot_in_world_.a},
+      Position{robot_in_world_.x, robot_in_world_.y, goal.a},
+  };
+  for (const Position& way_out : ways_out) {
+    if (way_out == robot_in_world_ || surface_at(way_out)) continue;
+    twist_ = twist_between(robot_in_world_, way_out, seconds);
+    robot_in_world_ = way_out;
+    return;
+  }
+  twist_ = {};
+}
+
+bool Base::would_touch(const Segment& segment) const {
+  return touches(transform(robot_in_world_, parameters_.footprint), segment);
+}
+
+}  // namespace perceptor::sim

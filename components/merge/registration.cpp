@@ -1,0 +1,214 @@
+#include "components/merge/registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "common/geometry/angle.hpp"
+#include "components/merge/association.hpp"
+#include "components/merge/sighting.hpp"
+
+namespace perceptor::merge {
+namespace {
+
+double square(double value) { return value * value; }
+
+/// Weighted normal equations of the pose (x, y, a); later sources of information (corners)
+/// add to the same.
+struct NormalEquations {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double spurious = 0.0;  ///< [1/m^2] of translation, that the walls' angle noise alone makes
+};
+
+/// Offset and angle of a sighted line on a known one, and their derivative by the pose.
+void add_line(NormalEquations& equations, const Position& robot_in_local, const Wall& sighted,
+              const Wall& known, const Line& known_line, double outlier_sigmas) {
+  const Line line = line_of(transform(robot_in_local, sighted.segment));
+  const Vector2 from_known = line.middle - known_line.middle;
+  const Vector2 lever = perpendicular(line.middle - robot_in_local.location());
+  const Eigen::Vector2d residual(known_line.normal.dot(from_known),
+                                 turn_between(known_line, line));
+  Eigen::Matrix<double, 2, 3> by_pose;
+  by_pose << known_line.normal.x(), known_line.normal.y(), known_line.normal.dot(lever), 0.0, 0.0,
+      1.0;
+  const double reach = known_line.along.dot(from_known);
+  const Eigen::Matrix2d covariance = sighted.covariance + moved_along(known.covariance, reach);
+  const Eigen::Matrix2d inverse_covariance = covariance.inverse();
+  const double sigmas_squared = residual.dot(inverse_covariance * residual);
+  const double trust = 1.0 / (1.0 + sigmas_squared / square(outlier_sigmas));
+
+  const Eigen::Matrix<double, 3, 2> weighted = by_pose.transpose() * inverse_covariance * trust;
+  equations.information += weighted * by_pose;
+  equations.gradient -= weighted * residual;
+  equations.spurious += trust * inverse_covariance(0, 0) * covariance(1, 1);
+}
+
+NormalEquations normal_equations(const Position& robot_in_local, const std::vector<Wall>& sighted,
+                                 const std::vector<Wall>& known,
+                                 const std::vector<Line>& known_lines,
+                                 const std::vector<Match>& matches, double outlier_sigmas) {
+  NormalEquations equations;
+  for (const Match& match : matches)
+    add_line(equations, robot_in_local, sighted[match.sighted], known[match.known],
+             known_lines[match.known], outlier_sigmas);
+  return equations;
+}
+
+/// The direction in which the walls alone would leave the position loose. The worst one, as a
+/// unit vector, where that is so.
+std::optional<Vector2> loose_direction(const NormalEquations& equations, double sigma) {
+  const Eigen::Matrix3d& information = equations.information;
+  const double heading = information(2, 2);
+  if (heading <= 0.0) return std::nullopt;
+  // The heading is unknown too: what is left for translation is its Schur complement.
+  const Eigen::Vector2d mixed = information.topRightCorner<2, 1>();
+  const Eigen::Matrix2d translation =
+      information.topLeftCorner<2, 2>() - mixed * mixed.transpose() / heading;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(translation);
+  const double weakest = axes.eigenvalues()[0] - equations.spurious;
+  if (weakest >= 1.0 / square(sigma)) return std::nullopt;
+  return axes.eigenvectors().col(0);
+}
+
+/// Takes out what the equations say along `direction`.
+void silence(NormalEquations& equations, const Vector2& direction) {
+  Eigen::Matrix3d keep = Eigen::Matrix3d::Identity();
+  keep.topLeftCorner<2, 2>() -= direction * direction.transpose();
+  equations.information = keep * equations.information * keep;
+  equations.gradient = keep * equations.gradient;
+}
+
+Eigen::Vector3d difference(const Position& from, const Position& to) {
+  return {to.x - from.x, to.y - from.y, angle_difference(from.a, to.a)};
+}
+
+Position moved(const Position& pose, const Eigen::Vector3d& change) {
+  return {pose.x + change[0], pose.y + change[1], wrap_angle(pose.a + change[2])};
+}
+
+struct Correction {
+  PoseEstimate robot_in_local;
+  std::optional<Vector2> loose;
+};
+
+/// Least squares with the matches held: prediction and walls together, from `start`.
+Correction correct(const PoseEstimate& predicted, const Position& start,
+                   const std::vector<Wall>& sighted, const std::vector<Wall>& known,
+                   const std::vector<Line>& known_lines, const std::vector<Match>& matches,
+                   const RegistrationParameters& parameters) {
+  const Eigen::Matrix3d prior = predicted.covariance.inverse();
+  Correction correction{{start, predicted.covariance}, std::nullopt};
+  Position& pose = correction.robot_in_local.pose;
+  constexpr double kConverged = 1e-10;
+  for (int i = 0; i < parameters.iterations; ++i) {
+    NormalEquations equations = normal_equations(pose, sighted, known, known_lines, matches,
+                                                 parameters.outlier_sigmas);
+    correction.loose = loose_direction(equations, parameters.unobservable_sigma);
+    if (correction.loose) silence(equations, *correction.loose);
+    const Eigen::Matrix3d information = prior + equations.information;
+    const Eigen::Vector3d gradient =
+        equations.gradient + prior * difference(pose, predicted.pose);
+    const Eigen::LDLT<Eigen::Matrix3d> solver(information);
+    const Eigen::Vector3d change = solver.solve(gradient);
+    correction.robot_in_local.covariance = solver.solve(Eigen::Matrix3d::Identity());
+    pose = moved(pose, change);
+    if (change.norm() < kConverged) break;
+  }
+  return correction;
+}
+
+bool is_plausible(const Position& predicted, const Position& corrected,
+                  const RegistrationParameters& parameters) {
+  const Eigen::Vector3d change = difference(predicted, corrected);
+  return change.head<2>().norm() <= parameters.max_correction &&
+         std::abs(change[2]) <= parameters.max_heading_correction;
+}
+
+/// Whether the matched walls lie on each other after the correction, by length.
+bool agrees(const PoseEstimate& robot_in_local, const std::vector<Wall>& sighted,
+            const std::vector<Wall>& known, const std::vector<Line>& known_lines,
+            const std::vector<Match>& matches, const SameWallParameters& agreement,
+            double min_agreement) {
+  double matched = 0.0;
+  double agreed = 0.0;
+  for (const Match& match : matches) {
+    const Wall wall =
+        transform(robot_in_local.pose, robot_in_local.covariance, sighted[match.sighted]);
+    const Line line = line_of(wall.segment);
+    matched += line.length;
+    if (compare(wall, line, known[match.known], known_lines[match.known], agreement))
+      agreed += line.length;
+  }
+  return agreed >= min_agreement * matched;
+}
+
+/// A line's direction has no sign: in (-pi/2, pi/2].
+double undirected_angle(const Vector2& direction) {
+  const double a = angle(direction);
+  if (a > std::numbers::pi / 2.0) return a - std::numbers::pi;
+  return a <= -std::numbers::pi / 2.0 ? a + std::numbers::pi : a;
+}
+
+}  // namespace
+
+PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion, double seconds,
+                     const OdometryNoise& noise) {
+  PoseEstimate predicted;
+  predicted.pose = compose(robot_in_local.pose, motion);
+  const Vector2 step = predicted.pose.location() - robot_in_local.pose.location();
+  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
+  by_pose.topRightCorner<2, 1>() = perpendicular(step);
+  const double still = square(noise.still) * seconds;
+  const double translation = square(noise.translation) * step.norm() + still;
+  const double heading = square(noise.heading) * std::abs(motion.a) +
+                         square(noise.heading_by_translation) * step.norm() + still;
+  predicted.covariance = by_pose * robot_in_local.covariance * by_pose.transpose();
+  predicted.covariance.diagonal() += Eigen::Vector3d(translation, translation, heading);
+  return predicted;
+}
+
+Registration register_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
+                            const std::vector<Line>& known_lines, const PoseEstimate& predicted,
+                            const SameWallParameters& agreement,
+                            const RegistrationParameters& parameters) {
+  Registration unregistered;
+  unregistered.robot_in_local = predicted;
+  unregistered.unobservable_direction = undirected_angle(transform(predicted.pose, Vector2(1, 0)) -
+                                                         predicted.pose.location());
+
+  Correction correction{predicted, std::nullopt};
+  std::vector<Match> matches;
+  for (int round = 0; round < parameters.rounds; ++round) {
+    // The gate follows what is still uncertain: the prediction first, then the correction.
+    std::vector<Wall> in_local;
+    in_local.reserve(sighted.size());
+    for (const Wall& wall : sighted)
+      in_local.push_back(transform(correction.robot_in_local.pose,
+                                   correction.robot_in_local.covariance, wall));
+    matches = match_walls(in_local, known, known_lines,
+                          correction.robot_in_local.pose.location(), parameters.same_wall);
+    if (matches.empty()) return unregistered;
+    correction = correct(predicted, correction.robot_in_local.pose, sighted, known, known_lines,
+                         matches, parameters);
+  }
+
+  const PoseEstimate& corrected = correction.robot_in_local;
+  const bool is_believed =
+      is_plausible(predicted.pose, corrected.pose, parameters) &&
+      agrees(corrected, sighted, known, known_lines, matches, agreement, parameters.min_agreement);
+  if (!is_believed) {
+    unregistered.rejected = true;
+    return unregistered;
+  }
+  Registration registration;
+  registration.robot_in_local = corrected;
+  registration.matched = static_cast<int>(matches.size());
+  if (correction.loose) registration.unobservable_direction = undirected_angle(*correction.loose);
+  return registration;
+}
+
+}  // namespace perceptor::merge

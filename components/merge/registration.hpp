@@ -1,0 +1,62 @@
+/// @file Where the robot is in the local frame: predicted by odometry, corrected by laying the
+/// scan's walls on those of the map.
+///
+/// The correction is an iterated extended Kalman update, computed as weighted least squares on
+/// the offset and angle between matched lines, with a Cauchy weight against outliers
+/// (Z. Zhang, "Parameter estimation techniques", Image and Vision Computing 15, 1997). Along a
+/// direction that the walls do not fix (a corridor) nothing is corrected: odometry rules there.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "components/merge/same_wall.hpp"
+#include "components/merge/wall.hpp"
+
+namespace perceptor::merge {
+
+struct OdometryNoise {
+  double translation = 0.05;  ///< [m / sqrt(m)] after one metre; larger trusts the walls more
+  double heading = 0.05;      ///< [rad / sqrt(rad)] after turning by one radian
+  double heading_by_translation = 0.03;  ///< [rad / sqrt(m)] after driving one metre
+  double still = 0.002;       ///< [m and rad / sqrt(s)] with time alone
+};
+
+struct RegistrationParameters {
+  OdometryNoise odometry;
+  SameWallParameters same_wall{.offset = 0.1, .angle = 0.1, .sigmas = 3.0, .max_offset = 0.35,
+                               .max_angle = 0.35, .max_gap = 0.0};  ///< what may be matched
+  int rounds = 2;             ///< of matching anew
+  int iterations = 4;         ///< of least squares in a round
+  double outlier_sigmas = 2.0;       ///< a line this far off counts half
+  double max_correction = 0.4;       ///< [m] a larger one is not believed
+  double max_heading_correction = 0.3;  ///< [rad] nor is this
+  double min_agreement = 0.5;        ///< share of matched length that has to fit afterwards
+  double unobservable_sigma = 0.05;  ///< [m] a direction in which the walls alone would leave
+                                     ///< more is ruled by odometry
+};
+
+/// A pose and how uncertain it is: x, y [m], a [rad] in the frame that it is given in.
+struct PoseEstimate {
+  Position pose;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+/// Moves the estimate on by what odometry measured in `seconds`.
+PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion, double seconds,
+                     const OdometryNoise& noise);
+
+struct Registration {
+  PoseEstimate robot_in_local;
+  int matched = 0;        ///< walls of the scan that were laid on walls of the map
+  bool rejected = false;  ///< not believed: the prediction stands, and the scan does not fit
+  std::optional<double> unobservable_direction;  ///< [rad] in the local frame
+};
+
+/// `sighted` in the robot frame; `known`, with their lines, in the local frame.
+Registration register_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
+                            const std::vector<Line>& known_lines, const PoseEstimate& predicted,
+                            const SameWallParameters& agreement,
+                            const RegistrationParameters& parameters);
+
+}  // namespace perceptor::merge

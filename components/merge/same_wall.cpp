@@ -1,0 +1,84 @@
+#include "components/merge/same_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perceptor::merge {
+namespace {
+
+/// Where along `line`, from its middle, the other one lies.
+struct Extent {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+Extent extent_along(const Line& line, const Line& other) {
+  const double centre = line.along.dot(other.middle - line.middle);
+  const double half = std::abs(line.along.dot(other.along)) * other.length / 2.0;
+  return {centre - half, centre + half};
+}
+
+double gap_beside(const Line& line, const Extent& other) {
+  const double half = line.length / 2.0;
+  return std::max({0.0, other.from - half, -half - other.to});
+}
+
+double allowed(double floor, double sigmas, double variance, double bound) {
+  return std::min(bound, floor + sigmas * std::sqrt(std::max(0.0, variance)));
+}
+
+double square(double value) { return value * value; }
+
+}  // namespace
+
+std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
+                                  const Line& line_q, const SameWallParameters& parameters) {
+  const bool faces_other_way = line_p.along.dot(line_q.along) <= 0.0;
+  if (faces_other_way) return std::nullopt;
+
+  const bool p_is_longer = line_p.length >= line_q.length;
+  const Line& longer = p_is_longer ? line_p : line_q;
+  const Line& shorter = p_is_longer ? line_q : line_p;
+
+  const double offset = longer.normal.dot(shorter.middle - longer.middle);
+  if (std::abs(offset) > parameters.max_offset) return std::nullopt;
+
+  Difference difference;
+  const Extent extent = extent_along(longer, shorter);
+  difference.gap = gap_beside(longer, extent);
+  if (difference.gap > parameters.max_gap) return std::nullopt;
+
+  difference.angle = std::abs(turn_between(longer, shorter));
+  const double max_angle = allowed(parameters.angle, parameters.sigmas,
+                                   p.covariance(1, 1) + q.covariance(1, 1), parameters.max_angle);
+  if (difference.angle > max_angle) return std::nullopt;
+
+  const double slant = std::abs(cross(longer.along, shorter.along)) * shorter.length / 2.0;
+  difference.offset = (std::abs(offset + slant) + std::abs(offset - slant)) / 2.0;
+  const Eigen::Matrix2d& line_covariance = p_is_longer ? p.covariance : q.covariance;
+  const Eigen::Matrix2d& other_covariance = p_is_longer ? q.covariance : p.covariance;
+  const double reach = (extent.from + extent.to) / 2.0;
+  const double variance = moved_along(line_covariance, reach)(0, 0) + other_covariance(0, 0);
+  const double max_offset =
+      allowed(parameters.offset, parameters.sigmas, variance, parameters.max_offset);
+  if (difference.offset > max_offset) return std::nullopt;
+
+  difference.score = square(difference.offset / max_offset) +
+                     square(difference.angle / max_angle) +
+                     (difference.gap > 0.0 ? 1.0 + square(difference.gap / parameters.max_gap)
+                                           : 0.0);
+  return difference;
+}
+
+Segment gap_between(const Line& p, const Line& q) {
+  const Line& longer = p.length >= q.length ? p : q;
+  const Line& shorter = p.length >= q.length ? q : p;
+  const Extent extent = extent_along(longer, shorter);
+  const double half = longer.length / 2.0;
+  const bool is_ahead = extent.from > half;
+  const double from = is_ahead ? half : extent.to;
+  const double to = is_ahead ? extent.from : -half;
+  return {longer.middle + from * longer.along, longer.middle + to * longer.along};
+}
+
+}  // namespace perceptor::merge

@@ -1,0 +1,47 @@
+#include "components/merge/wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perceptor::merge {
+
+Line line_of(const Segment& segment) {
+  Line line;
+  line.middle = middle(segment);
+  line.along = direction(segment);
+  line.normal = perpendicular(line.along);
+  line.length = length(segment);
+  return line;
+}
+
+double turn_between(const Line& from, const Line& to) {
+  return std::atan2(cross(from.along, to.along), from.along.dot(to.along));
+}
+
+Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along) {
+  Eigen::Matrix2d move;
+  move << 1.0, along, 0.0, 1.0;
+  return move * covariance * move.transpose();
+}
+
+void set_ends(Wall& wall, const Segment& segment) {
+  const Line before = line_of(wall.segment);
+  const double shift = before.along.dot(middle(segment) - before.middle);
+  wall.covariance = moved_along(wall.covariance, shift);
+  wall.segment = segment;
+}
+
+bool is_known(const WallEnd& end) { return end.method != CornerMethod::none; }
+
+void remove_marked(std::vector<Wall>& walls) {
+  const auto is_marked = [](const Wall& wall) { return wall.remove; };
+  for (const Wall& gone : walls) {
+    if (!gone.remove) continue;
+    for (Wall& wall : walls)
+      for (WallEnd& end : wall.ends)
+        if (end.connected == gone.id) end.connected = kNone;
+  }
+  walls.erase(std::remove_if(walls.begin(), walls.end(), is_marked), walls.end());
+}
+
+}  // namespace perceptor::merge

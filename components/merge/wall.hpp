@@ -1,0 +1,70 @@
+/// @file A wall as merge keeps it: an oriented line with its uncertainty, two ends, and what
+/// speaks for it. Free space lies on the left of a to b, so two faces of one partition run in
+/// opposite directions, and along the free side the end b of one wall meets the end a of the
+/// next.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/model/map.hpp"
+
+namespace perceptor::merge {
+
+/// The ends of a wall, in the order of Segment.
+inline constexpr std::size_t kTail = 0;  ///< segment.a
+inline constexpr std::size_t kHead = 1;  ///< segment.b
+
+struct WallEnd {
+  CornerMethod method = CornerMethod::none;  ///< none: seen up to here, it may go on
+  double variance = 0.0;                     ///< [m^2] of its place along the wall
+  double radius = 0.0;                       ///< [m] within which it becomes part of a corner
+  int overshoots = 0;                        ///< sightings that went on beyond a known end
+  std::int32_t connected = kNone;  ///< id of the wall that forms a corner with this end: a
+                                   ///< head always meets a tail
+};
+
+struct Wall {
+  std::int32_t id = kNone;
+  Segment segment;  ///< [m] free space on its left
+  /// Of the line at the middle of the segment: offset to the left [m], angle [rad].
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  std::array<WallEnd, 2> ends;
+  std::int32_t support = 0;  ///< beams behind it in the last scan that saw it
+  int sightings = 1;         ///< scans that saw it
+  double weight = 1.0;       ///< sightings, bounded, halved by each scan that sees through it
+  std::int64_t first_seen = 0;  ///< [us]
+  std::int64_t last_seen = 0;   ///< [us]
+  bool confirmed = false;       ///< else tentative, and not published
+  bool is_new = false;          ///< confirmed by the last scan
+  bool doubted = false;         ///< seen through by the last scan
+  bool remove = false;          ///< taken out at the end of the step
+};
+
+/// The axes of a wall, computed once for many comparisons.
+struct Line {
+  Vector2 middle = Vector2::Zero();
+  Vector2 along = Vector2::Zero();   ///< from tail to head
+  Vector2 normal = Vector2::Zero();  ///< towards free space
+  double length = 0.0;               ///< [m]
+};
+
+Line line_of(const Segment& segment);
+
+/// From the direction of one line to that of the other, in (-pi, pi].
+double turn_between(const Line& from, const Line& to);
+
+/// The covariance of a line, moved `along` metres along it.
+Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along);
+
+/// Moves the ends of a wall. Its line covariance follows the middle.
+void set_ends(Wall& wall, const Segment& segment);
+
+bool is_known(const WallEnd& end);
+
+/// Removes what is marked, and the corners that it was part of.
+void remove_marked(std::vector<Wall>& walls);
+
+}  // namespace perceptor::merge

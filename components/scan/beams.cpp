@@ -1,0 +1,109 @@
+#include "components/scan/beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/geometry/polygon.hpp"
+
+namespace perceptor {
+namespace {
+
+/// No range is better known than this [m]: keeps weights finite where a scan claims no noise.
+constexpr double kSmallestSigma = 1e-4;
+
+/// Steps of bearing from which beams are missing in between.
+constexpr double kMissingSteps = 1.5;
+
+/// Standard deviations by which noise alone may set two ranges apart.
+constexpr double kNoiseSigmas = 3.0 * std::numbers::sqrt2;
+
+Beam make_beam(const LaserScan& scan, const BeamEnd& end, const NoiseParameters& noise) {
+  const double sigma = std::hypot(scan.range_sigma, noise.sigma_growth * end.range);
+  return {.location = end.location,
+          .along = unit(end.location - end.origin),
+          .range = end.range,
+          .sigma = std::max(sigma, kSmallestSigma),
+          .bearing = scan.bearings[end.beam]};
+}
+
+bool is_gap(const Beam& from, const Beam& to, double step, double increment,
+            const GapParameters& gap) {
+  const double distance_squared = (to.location - from.location).squaredNorm();
+  const double noise = kNoiseSigmas * std::max(from.sigma, to.sigma);
+  const double nearer = std::min(from.range, to.range);
+  const double reach = noise + nearer * step / std::sin(gap.min_incidence);
+  const bool beams_are_missing = step > kMissingSteps * increment;
+  const double limit = beams_are_missing ? std::min(reach, noise + gap.max_hole) : reach;
+  return distance_squared > limit * limit;
+}
+
+/// Beams that jump away from both neighbours, which belong together.
+void remove_strays(std::vector<Beam>& beams, double increment, const GapParameters& gap) {
+  if (beams.size() < 3) return;
+  const auto jumps = [&](const Beam& from, const Beam& to) {
+    return is_gap(from, to, to.bearing - from.bearing, increment, gap);
+  };
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i < beams.size(); ++i) {
+    const bool is_last = i + 1 == beams.size();
+    const bool is_stray = !is_last && jumps(beams[kept - 1], beams[i]) &&
+                          jumps(beams[i], beams[i + 1]) && !jumps(beams[kept - 1], beams[i + 1]);
+    if (!is_stray) beams[kept++] = beams[i];
+  }
+  beams.resize(kept);
+}
+
+/// The farthest end in view lies at a corner, whatever the room: the one place to begin at
+/// that does not depend on where the sweep began.
+void begin_at_farthest(std::vector<Beam>& beams) {
+  const auto farthest = std::ranges::max_element(beams, {}, &Beam::range);
+  std::ranges::rotate(beams, farthest);
+}
+
+}  // namespace
+
+bool is_gap(const Beams& beams, std::size_t i, std::size_t j, const GapParameters& gap) {
+  double step = beams[j].bearing - beams[i].bearing;
+  while (step < 0.0) step += 2.0 * std::numbers::pi;
+  return is_gap(beams[i], beams[j], step, beams.increment, gap);
+}
+
+double sigma_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise) {
+  const double across = beam.sigma * beam.along.dot(normal);
+  return std::sqrt(across * across + noise.surface_roughness * noise.surface_roughness);
+}
+
+Beams usable_beams(const LaserScan& scan, const Twist& twist,
+                   const std::vector<Vector2>& footprint, const ScanParameters& parameters) {
+  const std::vector<BeamEnd> ends = beam_ends(scan, twist);
+  Beams usable;
+  usable.no_return = scan.size() - ends.size();
+  if (ends.empty()) return usable;
+
+  const bool has_footprint = footprint.size() >= 3;
+  usable.beams.reserve(2 * ends.size());
+  for (const BeamEnd& end : ends) {
+    if (has_footprint && contains(footprint, end.location))
+      ++usable.in_footprint;
+    else
+      usable.beams.push_back(make_beam(scan, end, parameters.noise));
+  }
+  const auto [smallest, largest] = std::ranges::minmax_element(scan.bearings);
+  if (scan.size() > 1)
+    usable.increment = (*largest - *smallest) / static_cast<double>(scan.size() - 1);
+  usable.laser = ends[ends.size() / 2].origin;
+
+  remove_strays(usable.beams, usable.increment, parameters.gap);
+  usable.count = usable.beams.size();
+  const double around = *largest - *smallest + 2.0 * usable.increment;
+  usable.is_circle = usable.count > 2 && around >= 2.0 * std::numbers::pi &&
+                     !is_gap(usable, usable.count - 1, 0, parameters.gap);
+  if (usable.is_circle) {
+    begin_at_farthest(usable.beams);
+    usable.beams.insert(usable.beams.end(), usable.beams.begin(), usable.beams.end());
+  }
+  return usable;
+}
+
+}  // namespace perceptor

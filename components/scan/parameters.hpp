@@ -1,0 +1,61 @@
+/// @file What can be turned in the scan component, and what moves when it is.
+#pragma once
+
+namespace perceptor {
+
+/// How a stretch of beams is cut at its corners; every other step is shared.
+enum class ScanMethod {
+  angle_clustering,  ///< mean angle of the cluster against the next angle
+};
+
+/// How far a beam may lie from where the wall is.
+struct NoiseParameters {
+  double sigma_growth = 0.0005;      ///< [m/m] added to the sensor's sigma for each metre of range
+  double surface_roughness = 0.003;  ///< [m] rms by which a real wall is not straight; more
+                                     ///< keeps bumpy walls whole, less sees flatter corners
+};
+
+/// Where the wall cannot go on from one beam to the next.
+struct GapParameters {
+  double min_incidence = 0.087;  ///< [rad] between beam and wall; less bridges larger jumps in range
+  double max_hole = 0.3;         ///< [m] of wall that no beam returned from; more bridges doorways
+};
+
+/// How corners are first found.
+struct ClusterParameters {
+  double min_spacing = 0.05;    ///< [m] between resampled points; more misses short walls
+  double spacing_sigmas = 6.0;  ///< [-] the same in sigmas of the range: the larger of the two
+  double min_turn = 0.2;        ///< [rad] that is a corner; less sees flatter corners
+  double turn_sigmas = 4.0;     ///< [-] the same in sigmas of the angle: the larger of the two
+};
+
+/// What makes a wall.
+struct WallParameters {
+  double merge_chi2 = 18.0;        ///< [-] rise of chi-square at which two lines are better than one
+  double support_sigmas = 3.5;     ///< [-] a beam further from the line does not support it
+  double min_support_share = 0.7;  ///< [-] of the beams between its ends; less takes curved things
+  int min_beams = 6;               ///< beams that support it
+  double min_length = 0.2;         ///< [m]
+  double max_angle_sigma = 0.05;   ///< [rad] a wall whose direction is less certain is left out
+};
+
+/// What makes a corner.
+struct CornerParameters {
+  double min_angle = 0.2;          ///< [rad] between two walls that meet
+  double reach = 0.1;              ///< [m] from a wall's last beam to where it meets its neighbour
+  double spike_jump = 0.15;        ///< [m] in range; less takes more outer corners
+  double vector_angle = 0.5;       ///< [rad] between neighbours, for a corner without walls
+  int min_beams = 5;               ///< on the near side of a corner without a wall
+  double connection_radius = 0.3;  ///< [m] within which an end may be connected to another's
+};
+
+struct ScanParameters {
+  ScanMethod method = ScanMethod::angle_clustering;
+  NoiseParameters noise;
+  GapParameters gap;
+  ClusterParameters cluster;
+  WallParameters wall;
+  CornerParameters corner;
+};
+
+}  // namespace perceptor
