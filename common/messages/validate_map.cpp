@@ -93,7 +93,14 @@ std::string_view fault_of(const pico::map_object_t& object, const pico::map_t& m
   return {};
 }
 
-/// Whether a point is connected to one that is connected to it.
+bool projects_on_itself(const pico::map_t& map) {
+  for (Index i = 0; i < map.num_points; ++i) {
+    if (map.points[static_cast<std::size_t>(i)].projection_point == i) return true;
+  }
+  return false;
+}
+
+/// Whether each connected point is connected to another that is connected to it.
 bool is_mutual(const pico::map_t& map) {
   for (Index i = 0; i < map.num_points; ++i) {
     const Index other = map.points[static_cast<std::size_t>(i)].connected_point;
@@ -156,6 +163,7 @@ std::string_view validate(const pico::map_t& map) {
   for (const pico::map_object_t& object : map.objects) {
     if (const auto fault = fault_of(object, map); !fault.empty()) return fault;
   }
+  if (projects_on_itself(map)) return "point projected on itself";
   if (!is_mutual(map)) return "one-sided connection of points";
   if (!is_agreed(map)) return "points and objects disagree";
   return {};

@@ -29,7 +29,7 @@ std::string footer(const Face& face, const config::Describe& describe) {
          "\n"
          "Examples:\n"
          "  pico-" + name + " --print-config\n"
-         "  pico-" + name + " --set robot.limits.speed=0.3\n"
+         "  pico-" + name + " --config my_" + name + ".json --set KEY=VALUE\n"
          "  pico-" + name + " --lcm-url 'udpm://239.255.76.67:7667?ttl=0'\n"
          "Exit codes: 0 finished or stopped, 1 failed, 2 command line or configuration.";
 }

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <string>
-#include <type_traits>
 
 namespace perceptor {
 namespace {
@@ -20,10 +19,9 @@ std::int64_t session_of(const BridgeConfig& config) {
 
 BridgeComponent::BridgeComponent(const BridgeConfig& config, Bus& bus) {
   if (config.source == "sim") {
-    source_.emplace<SimSource>(config, session_of(config), bus);
+    sim_.emplace(config, session_of(config), bus);
   } else if (config.source.starts_with(kLogPrefix)) {
-    source_.emplace<LogSource>(config.source.substr(kLogPrefix.size()), config.speed,
-                               config.duration, bus);
+    log_.emplace(config.source.substr(kLogPrefix.size()), config.speed, config.duration, bus);
   } else {
     throw config::Error("/source: \"" + config.source +
                         "\" is no source; sources are: sim, log:FILE");
@@ -31,25 +29,9 @@ BridgeComponent::BridgeComponent(const BridgeConfig& config, Bus& bus) {
 }
 
 std::int64_t BridgeComponent::step(std::int64_t now) {
-  return std::visit(
-      [now](auto& source) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(source)>, std::monostate>)
-          return now;
-        else
-          return source.step(now);
-      },
-      source_);
+  return sim_ ? sim_->step(now) : log_->step(now);
 }
 
-bool BridgeComponent::finished() const {
-  return std::visit(
-      [](const auto& source) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(source)>, std::monostate>)
-          return true;
-        else
-          return source.finished();
-      },
-      source_);
-}
+bool BridgeComponent::finished() const { return sim_ ? sim_->finished() : log_->finished(); }
 
 }  // namespace perceptor

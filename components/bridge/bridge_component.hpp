@@ -8,9 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "common/bus/bus.hpp"
 #include "components/bridge/bridge_config.hpp"
@@ -44,7 +44,8 @@ class BridgeComponent {
   bool finished() const;
 
  private:
-  std::variant<std::monostate, SimSource, LogSource> source_;
+  std::optional<SimSource> sim_;  ///< either this ...
+  std::optional<LogSource> log_;  ///< ... or this
 };
 
 }  // namespace perceptor

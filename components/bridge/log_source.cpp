@@ -72,8 +72,8 @@ std::int64_t LogSource::step(std::int64_t now) {
 void LogSource::say_how_it_goes() {
   next_note_ = due_ + 1'000'000;
   const std::int64_t seconds = (due_ - first_) / 1'000'000;
-  const double read =
-      static_cast<double>(reader_.offset()) / static_cast<double>(std::max<std::int64_t>(1, reader_.size()));
+  const double read = static_cast<double>(reader_.offset()) /
+                      static_cast<double>(std::max<std::int64_t>(1, reader_.size()));
   std::string note = "log time " + std::to_string(seconds) + " s, " +
                      std::to_string(std::lround(100.0 * read)) + " % read, " +
                      std::to_string(published_) + " messages";

@@ -81,8 +81,7 @@ void SimSource::publish(const sim::Sweep& sweep) {
 }
 
 void SimSource::publish_world() {
-  for (pico::map_t& part :
-       to_messages(simulator_.parameters().world, simulator_.truth().doors)) {
+  for (pico::map_t& part : to_messages(simulator_.parameters().world, simulator_.truth().doors)) {
     set_stamp(part, {simulator_.utime(), session_, worlds_++});
     part.map_id = next_world_;
     bus_.publish(channel::world, part);

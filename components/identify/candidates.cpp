@@ -41,19 +41,33 @@ std::optional<BoundKind> kind_of(const Point& point, bool has_partner) {
   return was_seen_to_turn ? BoundKind::turned_end : BoundKind::loose_end;
 }
 
+const Point& point_at(const Map& map, const WallEnd& end) {
+  return map.points[static_cast<std::size_t>(end.point)];
+}
+
+/// Whether a wall is the depth of another one: shorter than walls are thick, and it goes back
+/// from a convex corner. Its far end is the other face's corner, and points across whatever
+/// passes by there.
+bool is_jamb(const Map& map, const Wall& wall, const WallEnd& far_end, double max_thickness) {
+  const WallEnd& near_end = &far_end == wall.ends.data() ? wall.ends[1] : wall.ends[0];
+  return wall.length <= max_thickness && near_end.partner.has_value() &&
+         point_at(map, near_end).property == PointProperty::convex;
+}
+
 /// The ends that can bound an opening, by x (and then whatever tells two ends apart), so that
 /// those near each other are found without looking at all pairs, and the order of the map's
 /// objects does not show.
 std::vector<Bound> find_bounds(const Map& map, const std::vector<Wall>& walls,
-                               double wall_min_length) {
+                               const OpeningParameters& parameters) {
   std::vector<Bound> bounds;
   bounds.reserve(2 * walls.size());
   for (const Wall& wall : walls) {
-    if (wall.length < wall_min_length) continue;
+    if (wall.length < parameters.wall_min_length) continue;
     for (const WallEnd& end : wall.ends) {
-      const Point& point = map.points[static_cast<std::size_t>(end.point)];
-      const auto kind = kind_of(point, end.partner.has_value());
+      const auto kind = kind_of(point_at(map, end), end.partner.has_value());
       if (!kind) continue;
+      const bool is_corner = *kind == BoundKind::corner;
+      if (!is_corner && is_jamb(map, wall, end, parameters.max_wall_thickness)) continue;
       const Index partner = end.partner ? end_of(walls, *end.partner).point : kNone;
       bounds.push_back({*kind, &wall, &end, partner});
     }
@@ -240,7 +254,7 @@ std::vector<Candidate> find_candidates(const Map& map, const std::vector<Wall>& 
                                        const Vector2& robot, const OpeningParameters& parameters,
                                        const ConfidenceParameters& confidence) {
   const CandidateFinder finder(walls, robot, parameters, confidence);
-  const std::vector<Bound> bounds = find_bounds(map, walls, parameters.wall_min_length);
+  const std::vector<Bound> bounds = find_bounds(map, walls, parameters);
   std::vector<Candidate> candidates;
   for (auto first = bounds.begin(); first != bounds.end(); ++first) {
     const double x_limit = first->end->location.x() + parameters.door_max_width;

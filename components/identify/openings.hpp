@@ -10,7 +10,8 @@
 /// - a face: the inside of a wall that an end without a corner looks at squarely.
 ///
 /// A convex end with a convex or a turned one makes a door. A loose end with any other, two
-/// turned ends, or an end and a face, make a possible door. Concave corners bound nothing.
+/// turned ends, or an end and a face, make a possible door. Concave corners bound nothing,
+/// nor does the far end of a jamb, which is the depth of a wall and no wall of its own.
 ///
 /// 1. Pair the ends: the width within limits; each wall points away from the opening, within
 ///    an angle of the line through the two ends; each end is near the line of the other wall;

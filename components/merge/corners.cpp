@@ -101,15 +101,15 @@ double variance_by_line(const Wall& wall, const Wall& other) {
 }
 
 void fix_end(WallEnd& end, std::int32_t partner, double variance, bool is_intersection,
-             const CornerParameters& parameters) {
+             const EndParameters& parameters) {
   end.connected = partner;
   end.overshoots = 0;
   if (!is_intersection) return;
   if (!is_known(end)) end.method = CornerMethod::intersection;
-  end.variance = std::max(std::min(end.variance, variance), square(parameters.min_end_sigma));
+  sharpen(end, variance, parameters);
 }
 
-void apply(const Corner& corner, std::vector<Wall>& walls, const CornerParameters& parameters) {
+void apply(const Corner& corner, std::vector<Wall>& walls, const EndParameters& parameters) {
   Wall& arriving = walls[corner.arriving];
   Wall& leaving = walls[corner.leaving];
   set_ends(arriving, {arriving.segment.a, corner.location});
@@ -123,7 +123,8 @@ void apply(const Corner& corner, std::vector<Wall>& walls, const CornerParameter
 
 }  // namespace
 
-void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameters) {
+void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameters,
+                     const EndParameters& ends) {
   std::vector<Corner> corners = possible_corners(walls, parameters);
   std::sort(corners.begin(), corners.end(), comes_before);
   for (Wall& wall : walls)
@@ -131,8 +132,13 @@ void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameter
   for (const Corner& corner : corners) {
     const bool is_taken = walls[corner.arriving].ends[kHead].connected != kNone ||
                           walls[corner.leaving].ends[kTail].connected != kNone;
-    if (!is_taken) apply(corner, walls, parameters);
+    if (!is_taken) apply(corner, walls, ends);
   }
+  // An end that was known only by the wall that it met is loose again without it.
+  for (Wall& wall : walls)
+    for (WallEnd& end : wall.ends)
+      if (end.connected == kNone && end.method == CornerMethod::intersection)
+        end.method = CornerMethod::none;
 }
 
 }  // namespace perceptor::merge

@@ -10,7 +10,6 @@ namespace perceptor::merge {
 struct CornerParameters {
   double min_angle = 0.35;   ///< [rad] below it two lines do not fix a corner: their ends do
   double keep_radius = 0.3;  ///< [m] a corner whose walls part further comes undone
-  double min_end_sigma = 0.002;  ///< [m] no end is known better
 };
 
 /// Connects the ends that lie within their radius of a corner, the nearest first and those that
@@ -18,6 +17,7 @@ struct CornerParameters {
 /// ends are moved onto the corner: where the two lines meet, or, where they are nearly
 /// parallel, between the ends according to their weights. The two faces at the end of a thin
 /// wall are no corner. `walls` have distinct ids in increasing order.
-void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameters);
+void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameters,
+                     const EndParameters& ends);
 
 }  // namespace perceptor::merge

@@ -48,22 +48,18 @@ struct PlacedEnd {
   WallEnd end;
 };
 
-PlacedEnd average(const PlacedEnd& p, const PlacedEnd& q, const FusionParameters& parameters) {
+PlacedEnd average(const PlacedEnd& p, const PlacedEnd& q, const EndParameters& parameters) {
   const double information = 1.0 / p.end.variance + 1.0 / q.end.variance;
   PlacedEnd mean = p;
   mean.place = (p.place / p.end.variance + q.place / q.end.variance) / information;
-  mean.end.variance = std::max(1.0 / information, square(parameters.min_end_sigma));
-  // The radius follows the standard deviation.
-  const double shrink = std::sqrt(mean.end.variance / p.end.variance);
-  const double smallest = std::min(p.end.radius, parameters.min_radius);
-  mean.end.radius = std::max(smallest, p.end.radius * shrink);
+  sharpen(mean.end, 1.0 / information, parameters);
   mean.end.overshoots = 0;
   return mean;
 }
 
 PlacedEnd replaced(const PlacedEnd& kept, const PlacedEnd& other) {
   PlacedEnd moved = other;
-  moved.end.connected = kept.end.connected;
+  if (moved.end.connected == kNone) moved.end.connected = kept.end.connected;
   moved.end.overshoots = 0;
   return moved;
 }
@@ -76,7 +72,7 @@ PlacedEnd merge_ends(const PlacedEnd& kept, const PlacedEnd& other, int sighting
   const bool is_near = std::abs(beyond) <= std::max(kept.end.radius, other.end.radius);
   const bool both_known = is_known(kept.end) && is_known(other.end);
 
-  if (both_known && is_near) return average(kept, other, parameters);
+  if (both_known && is_near) return average(kept, other, parameters.ends);
   if (!is_known(kept.end)) {
     const bool is_found = is_known(other.end) && is_near;
     return is_found || beyond > 0.0 ? replaced(kept, other) : kept;

@@ -11,9 +11,7 @@ struct FusionParameters {
   double min_offset_sigma = 2e-4;  ///< [m] no line is known better; larger lets old walls follow
                                    ///< new scans, and drift
   double min_angle_sigma = 2e-4;   ///< [rad] the same of its angle
-  double min_end_sigma = 0.002;    ///< [m] the same of a known end; larger lets one bad scan
-                                   ///< move a corner
-  double min_radius = 0.1;         ///< [m] the radius of a well known end shrinks to this
+  EndParameters ends;
   int overshoots = 3;              ///< sightings beyond a known end before it moves
   double max_weight = 30.0;        ///< of a wall, in sightings; larger: slower to forget
 };

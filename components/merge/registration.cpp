@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -146,13 +145,6 @@ bool agrees(const PoseEstimate& robot_in_local, const std::vector<Wall>& sighted
   return agreed >= min_agreement * matched;
 }
 
-/// A line's direction has no sign: in (-pi/2, pi/2].
-double undirected_angle(const Vector2& direction) {
-  const double a = angle(direction);
-  if (a > std::numbers::pi / 2.0) return a - std::numbers::pi;
-  return a <= -std::numbers::pi / 2.0 ? a + std::numbers::pi : a;
-}
-
 }  // namespace
 
 PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion, double seconds,
@@ -177,8 +169,7 @@ Registration register_walls(const std::vector<Wall>& sighted, const std::vector<
                             const RegistrationParameters& parameters) {
   Registration unregistered;
   unregistered.robot_in_local = predicted;
-  unregistered.unobservable_direction = undirected_angle(transform(predicted.pose, Vector2(1, 0)) -
-                                                         predicted.pose.location());
+  unregistered.unobservable = Vector2(std::cos(predicted.pose.a), std::sin(predicted.pose.a));
 
   Correction correction{predicted, std::nullopt};
   std::vector<Match> matches;
@@ -207,7 +198,7 @@ Registration register_walls(const std::vector<Wall>& sighted, const std::vector<
   Registration registration;
   registration.robot_in_local = corrected;
   registration.matched = static_cast<int>(matches.size());
-  if (correction.loose) registration.unobservable_direction = undirected_angle(*correction.loose);
+  registration.unobservable = correction.loose;
   return registration;
 }
 

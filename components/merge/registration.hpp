@@ -50,7 +50,7 @@ struct Registration {
   PoseEstimate robot_in_local;
   int matched = 0;        ///< walls of the scan that were laid on walls of the map
   bool rejected = false;  ///< not believed: the prediction stands, and the scan does not fit
-  std::optional<double> unobservable_direction;  ///< [rad] in the local frame
+  std::optional<Vector2> unobservable;  ///< unit vector along which odometry rules, local frame
 };
 
 /// `sighted` in the robot frame; `known`, with their lines, in the local frame.

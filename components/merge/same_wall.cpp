@@ -70,15 +70,16 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
   return difference;
 }
 
-Segment gap_between(const Line& p, const Line& q) {
+std::optional<Segment> gap_between(const Line& p, const Line& q) {
   const Line& longer = p.length >= q.length ? p : q;
   const Line& shorter = p.length >= q.length ? q : p;
   const Extent extent = extent_along(longer, shorter);
   const double half = longer.length / 2.0;
+  if (gap_beside(longer, extent) <= 0.0) return std::nullopt;
   const bool is_ahead = extent.from > half;
   const double from = is_ahead ? half : extent.to;
   const double to = is_ahead ? extent.from : -half;
-  return {longer.middle + from * longer.along, longer.middle + to * longer.along};
+  return Segment{longer.middle + from * longer.along, longer.middle + to * longer.along};
 }
 
 }  // namespace perceptor::merge

@@ -31,7 +31,8 @@ struct Difference {
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
                                   const Line& line_q, const SameWallParameters& parameters);
 
-/// The piece missing between two walls with a gap, along the longer one.
-Segment gap_between(const Line& p, const Line& q);
+/// The piece missing between two walls with a gap, along the longer one; none where they
+/// overlap.
+std::optional<Segment> gap_between(const Line& p, const Line& q);
 
 }  // namespace perceptor::merge

@@ -33,6 +33,14 @@ void set_ends(Wall& wall, const Segment& segment) {
 
 bool is_known(const WallEnd& end) { return end.method != CornerMethod::none; }
 
+void sharpen(WallEnd& end, double variance, const EndParameters& parameters) {
+  const double floor = parameters.min_sigma * parameters.min_sigma;
+  const double sharper = std::min(end.variance, std::max(variance, floor));
+  const double smallest_radius = std::min(end.radius, parameters.min_radius);
+  end.radius = std::max(smallest_radius, end.radius * std::sqrt(sharper / end.variance));
+  end.variance = sharper;
+}
+
 void remove_marked(std::vector<Wall>& walls) {
   const auto is_marked = [](const Wall& wall) { return wall.remove; };
   for (const Wall& gone : walls) {

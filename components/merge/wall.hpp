@@ -26,6 +26,12 @@ struct WallEnd {
                                    ///< head always meets a tail
 };
 
+struct EndParameters {
+  double min_sigma = 0.002;  ///< [m] no end is known better; larger lets one bad scan move a
+                             ///< corner
+  double min_radius = 0.1;   ///< [m] the radius of a well known end shrinks to this
+};
+
 struct Wall {
   std::int32_t id = kNone;
   Segment segment;  ///< [m] free space on its left
@@ -63,6 +69,10 @@ Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along);
 void set_ends(Wall& wall, const Segment& segment);
 
 bool is_known(const WallEnd& end);
+
+/// Gives an end a smaller variance, within bounds; its radius shrinks as its standard
+/// deviation does.
+void sharpen(WallEnd& end, double variance, const EndParameters& parameters);
 
 /// Removes what is marked, and the corners that it was part of.
 void remove_marked(std::vector<Wall>& walls);

@@ -41,7 +41,9 @@ void describe(config::Fields& fields, ProximityConfig& config) {
   ProximityParameters& p = config.proximity;
   fields.number("radius", p.radius, {0.0, 100.0},
                 "[m] from the robot's centre; what is closer is too close");
-  fields.integer("num_sectors", p.num_sectors, {1, 720}, "around the robot, all of one width");
+  fields.integer(
+      "num_sectors", p.num_sectors, {1, 120},
+      "around the robot; narrower than 3 degrees, the robot's own last beams would fill one");
   fields.number("contact_share", p.contact_share, {0.01, 1.0},
                 "share of a sector that a body inside the footprint covers to be a contact; less "
                 "takes a sliver of the robot itself for a body");

@@ -19,30 +19,31 @@ constexpr double kMissingSteps = 1.5;
 constexpr double kNoiseSigmas = 3.0 * std::numbers::sqrt2;
 
 Beam make_beam(const LaserScan& scan, const BeamEnd& end, const NoiseParameters& noise) {
-  const double sigma = std::hypot(scan.range_sigma, noise.sigma_growth * end.range);
+  const double growth = noise.sigma_growth * end.range;
+  const double sigma = std::sqrt(scan.range_sigma * scan.range_sigma + growth * growth);
   return {.location = end.location,
-          .along = unit(end.location - end.origin),
+          .along = (end.location - end.origin) / end.range,
           .range = end.range,
           .sigma = std::max(sigma, kSmallestSigma),
           .bearing = scan.bearings[end.beam]};
 }
 
-bool is_gap(const Beam& from, const Beam& to, double step, double increment,
-            const GapParameters& gap) {
+bool is_gap(const Beams& beams, const Beam& from, const Beam& to, double step) {
   const double distance_squared = (to.location - from.location).squaredNorm();
   const double noise = kNoiseSigmas * std::max(from.sigma, to.sigma);
   const double nearer = std::min(from.range, to.range);
-  const double reach = noise + nearer * step / std::sin(gap.min_incidence);
-  const bool beams_are_missing = step > kMissingSteps * increment;
-  const double limit = beams_are_missing ? std::min(reach, noise + gap.max_hole) : reach;
+  const double reach = noise + nearer * step * beams.grazing;
+  const bool beams_are_missing = step > kMissingSteps * beams.increment;
+  const double limit = beams_are_missing ? std::min(reach, noise + beams.max_hole) : reach;
   return distance_squared > limit * limit;
 }
 
 /// Beams that jump away from both neighbours, which belong together.
-void remove_strays(std::vector<Beam>& beams, double increment, const GapParameters& gap) {
+void remove_strays(Beams& usable) {
+  std::vector<Beam>& beams = usable.beams;
   if (beams.size() < 3) return;
-  const auto jumps = [&](const Beam& from, const Beam& to) {
-    return is_gap(from, to, to.bearing - from.bearing, increment, gap);
+  const auto jumps = [&usable](const Beam& from, const Beam& to) {
+    return is_gap(usable, from, to, to.bearing - from.bearing);
   };
   std::size_t kept = 1;
   for (std::size_t i = 1; i < beams.size(); ++i) {
@@ -63,21 +64,29 @@ void begin_at_farthest(std::vector<Beam>& beams) {
 
 }  // namespace
 
-bool is_gap(const Beams& beams, std::size_t i, std::size_t j, const GapParameters& gap) {
+bool is_gap(const Beams& beams, std::size_t i, std::size_t j) {
   double step = beams[j].bearing - beams[i].bearing;
   while (step < 0.0) step += 2.0 * std::numbers::pi;
-  return is_gap(beams[i], beams[j], step, beams.increment, gap);
+  return is_gap(beams, beams[i], beams[j], step);
 }
 
-double sigma_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise) {
+double variance_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise) {
   const double across = beam.sigma * beam.along.dot(normal);
-  return std::sqrt(across * across + noise.surface_roughness * noise.surface_roughness);
+  return across * across + noise.surface_roughness * noise.surface_roughness;
+}
+
+double distance_between_beams(const Beams& beams, const Beam& beam, const Vector2& normal) {
+  const double incidence = std::abs(beam.along.dot(normal));
+  const double stretched = incidence * beams.grazing > 1.0 ? 1.0 / incidence : beams.grazing;
+  return beam.range * beams.increment * stretched;
 }
 
 Beams usable_beams(const LaserScan& scan, const Twist& twist,
                    const std::vector<Vector2>& footprint, const ScanParameters& parameters) {
   const std::vector<BeamEnd> ends = beam_ends(scan, twist);
   Beams usable;
+  usable.grazing = 1.0 / std::sin(parameters.gap.min_incidence);
+  usable.max_hole = parameters.gap.max_hole;
   usable.no_return = scan.size() - ends.size();
   if (ends.empty()) return usable;
 
@@ -94,11 +103,11 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist,
     usable.increment = (*largest - *smallest) / static_cast<double>(scan.size() - 1);
   usable.laser = ends[ends.size() / 2].origin;
 
-  remove_strays(usable.beams, usable.increment, parameters.gap);
+  remove_strays(usable);
   usable.count = usable.beams.size();
   const double around = *largest - *smallest + 2.0 * usable.increment;
   usable.is_circle = usable.count > 2 && around >= 2.0 * std::numbers::pi &&
-                     !is_gap(usable, usable.count - 1, 0, parameters.gap);
+                     !is_gap(usable, usable.count - 1, 0);
   if (usable.is_circle) {
     begin_at_farthest(usable.beams);
     usable.beams.insert(usable.beams.end(), usable.beams.begin(), usable.beams.end());

@@ -26,6 +26,9 @@ struct Beams {
   std::size_t count = 0;         ///< of different beams
   bool is_circle = false;        ///< the wall may go on from the last beam to the first
   double increment = 0.0;        ///< [rad] mean step of bearing
+  double grazing = 1.0;          ///< [-] 1 / sin(min_incidence): distance of neighbours on the most
+                                 ///< grazing wall, over their distance across the beam
+  double max_hole = 0.0;         ///< [m] of a wall from which no beam returned
   Vector2 laser{0.0, 0.0};       ///< [m] where the laser was half-way through the sweep
   std::size_t no_return = 0;     ///< beams of the scan left out: no usable range
   std::size_t in_footprint = 0;  ///< beams of the scan left out: they end on the robot itself
@@ -43,9 +46,12 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist,
 /// angle of at least `min_incidence`, neighbours are no further apart than the law of sines
 /// allows (the adaptive breakpoint detector of Borges and Aldon, "Line extraction in 2D range
 /// images for mobile robotics", 2004); where beams are missing, `max_hole` bounds it as well.
-bool is_gap(const Beams& beams, std::size_t i, std::size_t j, const GapParameters& gap);
+bool is_gap(const Beams& beams, std::size_t i, std::size_t j);
 
-/// Standard deviation of a beam across a line with this normal [m].
-double sigma_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise);
+/// Variance of a beam across a line with this normal [m^2].
+double variance_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise);
+
+/// Distance of neighbouring beams on a line with this normal [m].
+double distance_between_beams(const Beams& beams, const Beam& beam, const Vector2& normal);
 
 }  // namespace perceptor

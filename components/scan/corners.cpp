@@ -21,13 +21,6 @@ struct Cut {
   std::size_t next() const { return after.begin; }
 };
 
-double distance_between_beams(const Beams& beams, const Beam& beam, const Line& line,
-                              const GapParameters& gap) {
-  const double incidence =
-      std::max(std::abs(beam.along.dot(line.normal)), std::sin(gap.min_incidence));
-  return beam.range * beams.increment / incidence;
-}
-
 /// Covariance of where two lines meet, from that of each across itself.
 Eigen::Matrix2d intersection_covariance(const Wall& first, const Wall& second,
                                         const Vector2& place) {
@@ -50,8 +43,8 @@ std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
 
   const Vector2 place = intersection(first.line, second.line);
   const auto is_within_reach = [&](const Wall& wall, const WallEnd& end, std::size_t beam) {
-    const double reach = parameters.corner.reach + 2.0 * distance_between_beams(beams, beams[beam],
-                                                                          wall.line, parameters.gap);
+    const double reach = parameters.corner.reach +
+                         2.0 * distance_between_beams(beams, beams[beam], wall.line.normal);
     return distance(place, end.location) <= reach;
   };
   if (!is_within_reach(first, first.last, first.last_beam) ||
@@ -64,7 +57,7 @@ std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
 std::optional<std::size_t> spike(const Cut& cut, const Beams& beams,
                                  const ScanParameters& parameters) {
   const double jump = beams[cut.next()].range - beams[cut.last()].range;
-  const bool is_jump = is_gap(beams, cut.last(), cut.next(), parameters.gap) &&
+  const bool is_jump = is_gap(beams, cut.last(), cut.next()) &&
                        std::abs(jump) >= parameters.corner.spike_jump;
   if (!is_jump) return std::nullopt;
   return jump > 0.0 ? cut.last() : cut.next();
@@ -72,7 +65,7 @@ std::optional<std::size_t> spike(const Cut& cut, const Beams& beams,
 
 /// Whether the direction turns between two runs that adjoin.
 bool is_vector_corner(const Cut& cut, const Beams& beams, const ScanParameters& parameters) {
-  if (!adjoin(beams, cut.before, cut.after, parameters.gap)) return false;
+  if (!adjoin(beams, cut.before, cut.after)) return false;
   const Line first = fit_line(cut.before.moments, beams.laser);
   const Line second = fit_line(cut.after.moments, beams.laser);
   const double sine = std::abs(cross(first.direction, second.direction));

@@ -11,8 +11,8 @@ enum class ScanMethod {
 /// How far a beam may lie from where the wall is.
 struct NoiseParameters {
   double sigma_growth = 0.0005;      ///< [m/m] added to the sensor's sigma for each metre of range
-  double surface_roughness = 0.003;  ///< [m] rms by which a real wall is not straight; more
-                                     ///< keeps bumpy walls whole, less sees flatter corners
+  double surface_roughness = 0.003;  ///< [m] rms from beam to beam of a real wall; added to the
+                                     ///< noise across it, and all there is on a grazed wall
 };
 
 /// Where the wall cannot go on from one beam to the next.
@@ -32,11 +32,13 @@ struct ClusterParameters {
 /// What makes a wall.
 struct WallParameters {
   double merge_chi2 = 18.0;        ///< [-] rise of chi-square at which two lines are better than one
+  double bend = 0.006;             ///< [m] rms by which a long wall and the laser may be crooked; more
+                                   ///< keeps such walls whole, less sees flatter corners
   double support_sigmas = 3.5;     ///< [-] a beam further from the line does not support it
   double min_support_share = 0.7;  ///< [-] of the beams between its ends; less takes curved things
   int min_beams = 6;               ///< beams that support it
   double min_length = 0.2;         ///< [m]
-  double max_angle_sigma = 0.05;   ///< [rad] a wall whose direction is less certain is left out
+  double max_angle_sigma = 0.08;   ///< [rad] a wall whose direction is less certain is left out
 };
 
 /// What makes a corner.

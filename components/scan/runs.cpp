@@ -118,7 +118,7 @@ void place_cut(Run& first, Run& second, const Beams& beams, const PrefixMoments&
 void place_cuts(std::vector<Run>& runs, const Beams& beams, const PrefixMoments& sums,
                 const ScanParameters& parameters) {
   for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-    if (adjoin(beams, runs[i], runs[i + 1], parameters.gap))
+    if (adjoin(beams, runs[i], runs[i + 1]))
       place_cut(runs[i], runs[i + 1], beams, sums, parameters);
 }
 
@@ -127,15 +127,14 @@ void remove_crumbs(std::vector<Run>& runs) {
 }
 
 /// Whether what lies between two runs is small enough to be bridged.
-bool is_bridgeable(const Beams& beams, const Run& first, const Run& second,
-                   const GapParameters& gap) {
+bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
   const std::size_t strays = second.begin - first.end;
-  return strays <= kMostStrays && !is_gap(beams, first.end - 1, second.begin, gap);
+  return strays <= kMostStrays && !is_gap(beams, first.end - 1, second.begin);
 }
 
 bool is_one_wall(const Beams& beams, const Run& first, const Run& second,
                  const ScanParameters& parameters) {
-  return is_bridgeable(beams, first, second, parameters.gap) &&
+  return is_bridgeable(beams, first, second) &&
          one_line_explains(first.moments, second.moments, parameters);
 }
 
@@ -191,12 +190,11 @@ Run past_seam(Run run, const Beams& beams) {
   return run;
 }
 
-std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums,
-                               const GapParameters& gap) {
+std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums) {
   std::vector<Run> stretches;
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= beams.count; ++i) {
-    if (i < beams.count && !is_gap(beams, i - 1, i, gap)) continue;
+    if (i < beams.count && !is_gap(beams, i - 1, i)) continue;
     stretches.push_back(make_run(sums, begin, i));
     begin = i;
   }
@@ -209,15 +207,14 @@ bool one_line_explains(const Moments& first, const Moments& second,
   const Misfit together = misfit(both, parameters.noise);
   const double apart = cost(first, second, parameters.noise);
   const double degrees_of_freedom = std::max(1.0, both.beams - 4.0);
-  const double roughness = parameters.noise.surface_roughness;
-  const double bend = both.beams * roughness * roughness / together.variance;
+  const double bend = both.beams * parameters.wall.bend * parameters.wall.bend / together.variance;
   // Where even two lines fit worse than the noise says, the noise is larger than said.
   const double excess = std::max(1.0, apart / degrees_of_freedom);
   return (together.chi_square - apart) / excess < parameters.wall.merge_chi2 + bend;
 }
 
-bool adjoin(const Beams& beams, const Run& first, const Run& second, const GapParameters& gap) {
-  return first.end == second.begin && !is_gap(beams, first.end - 1, second.begin, gap);
+bool adjoin(const Beams& beams, const Run& first, const Run& second) {
+  return first.end == second.begin && !is_gap(beams, first.end - 1, second.begin);
 }
 
 std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixMoments& sums,

@@ -23,8 +23,7 @@ struct Run {
 Run make_run(const PrefixMoments& sums, std::size_t begin, std::size_t end);
 
 /// Cut wherever the wall cannot go on.
-std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums,
-                               const GapParameters& gap);
+std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums);
 
 /// Whether two lines explain the beams no better than one: chi-square rises by less than
 /// `merge_chi2`, and what real surfaces bend by, when both share a line.
@@ -32,7 +31,7 @@ bool one_line_explains(const Moments& first, const Moments& second,
                        const ScanParameters& parameters);
 
 /// Whether the second run begins where the first ends, without a gap.
-bool adjoin(const Beams& beams, const Run& first, const Run& second, const GapParameters& gap);
+bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
 /// The same run, one turn later.
 Run past_seam(Run run, const Beams& beams);

@@ -20,7 +20,7 @@ std::vector<std::size_t> cut_at_corners(const Beams& beams, const Run& stretch,
 std::vector<Run> find_runs(const Beams& beams, const PrefixMoments& sums,
                            const ScanParameters& parameters) {
   std::vector<Run> runs;
-  for (const Run& stretch : split_at_gaps(beams, sums, parameters.gap)) {
+  for (const Run& stretch : split_at_gaps(beams, sums)) {
     const std::vector<std::size_t> begins = cut_at_corners(beams, stretch, parameters);
     for (std::size_t i = 0; i < begins.size(); ++i) {
       const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : stretch.end;

@@ -17,11 +17,9 @@ struct Support {
 };
 
 bool supports(const Beam& beam, const Line& line, const ScanParameters& parameters) {
-  const double across = beam.sigma * beam.along.dot(line.normal);
-  const double roughness = parameters.noise.surface_roughness;
   const double off = offset(line, beam.location);
   const double sigmas = parameters.wall.support_sigmas;
-  return off * off <= sigmas * sigmas * (across * across + roughness * roughness);
+  return off * off <= sigmas * sigmas * variance_across(beam, line.normal, parameters.noise);
 }
 
 Support find_support(const Run& run, const Beams& beams, const Line& line,
@@ -49,8 +47,7 @@ Sums sum_support(const Support& support, const Beams& beams, const Line& line,
   Vector2 weighted = Vector2::Zero();
   for (std::size_t i = support.first; i <= support.last; ++i) {
     if (!supports(beams[i], line, parameters)) continue;
-    const double sigma = sigma_across(beams[i], line.normal, parameters.noise);
-    const double w = 1.0 / (sigma * sigma);
+    const double w = 1.0 / variance_across(beams[i], line.normal, parameters.noise);
     const Vector2 place = beams[i].location - line.point;
     sums.w += w;
     weighted += w * place;
@@ -82,12 +79,9 @@ Eigen::Matrix2d covariance_at(double along, const Sums& sums) {
 }
 
 /// A wall goes on behind its last beam by up to the distance of beams on it.
-WallEnd end_at(const Beam& beam, const Wall& wall, double increment,
-               const ScanParameters& parameters) {
+WallEnd end_at(const Beam& beam, const Wall& wall, const Beams& beams) {
   const Line& line = wall.line;
-  const double incidence =
-      std::max(std::abs(beam.along.dot(line.normal)), std::sin(parameters.gap.min_incidence));
-  const double beam_distance = beam.range * increment / incidence;
+  const double beam_distance = distance_between_beams(beams, beam, line.normal);
   const double along_noise = beam.sigma * beam.along.dot(line.direction);
   const double along = beam_distance * beam_distance / 3.0 + along_noise * along_noise;
 
@@ -139,8 +133,8 @@ std::optional<Wall> fit_wall(const Run& run, const Beams& beams,
   const bool is_certain = std::sqrt(wall.line_covariance(1, 1)) <= parameters.wall.max_angle_sigma;
   if (!is_certain || to - from < parameters.wall.min_length) return std::nullopt;
 
-  wall.first = end_at(beams[support.first], wall, beams.increment, parameters);
-  wall.last = end_at(beams[support.last], wall, beams.increment, parameters);
+  wall.first = end_at(beams[support.first], wall, beams);
+  wall.last = end_at(beams[support.last], wall, beams);
   return wall;
 }
 

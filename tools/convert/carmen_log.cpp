@@ -21,10 +21,10 @@ constexpr double kMountingTolerance = 0.05;  ///< [m] and [rad]
 
 /// Known and of no use here: parameters, other sensors, other lasers, computed poses.
 constexpr std::array<std::string_view, 20> kNotConverted = {
-    "PARAM",       "SYNC",        "MARKER",      "TRUEPOS",        "SONAR",
-    "BUMPER",      "IMU",         "VECTORMOVE",  "ROBOTVELOCITY",  "FOLLOWTRAJECTORY",
-    "BASEVELOCITY", "RLASER",      "LASER1",      "LASER2",         "LASER3",
-    "RAWLASER1",   "RAWLASER2",   "ROBOTLASER2", "LASER_RELATIVE", "POS"};
+    "PARAM",        "SYNC",      "MARKER",      "TRUEPOS",        "SONAR",
+    "BUMPER",       "IMU",       "VECTORMOVE",  "ROBOTVELOCITY",  "FOLLOWTRAJECTORY",
+    "BASEVELOCITY", "RLASER",    "LASER1",      "LASER2",         "LASER3",
+    "RAWLASER1",    "RAWLASER2", "ROBOTLASER2", "LASER_RELATIVE", "POS"};
 
 bool is_not_converted(std::string_view keyword) {
   return std::ranges::find(kNotConverted, keyword) != kNotConverted.end() ||
@@ -82,9 +82,9 @@ ParsedLine CarmenLog::parse(std::string_view line) {
   if (keyword == "FLASER") return parse_front_laser(line);
   if (keyword == "ROBOTLASER1") return parse_robot_laser(line);
   ParsedLine parsed;
-  parsed.dropped = Dropped{
-      is_not_converted(keyword) ? drop_reason::not_converted : drop_reason::unknown_keyword,
-      std::string(keyword.substr(0, 40))};
+  parsed.dropped =
+      Dropped{is_not_converted(keyword) ? drop_reason::not_converted : drop_reason::unknown_keyword,
+              std::string(keyword.substr(0, 40))};
   return parsed;
 }
 
@@ -154,8 +154,7 @@ ParsedLine CarmenLog::parse_robot_laser(std::string_view line) {
   return finish_scan(std::move(scan), laser, robot);
 }
 
-ParsedLine CarmenLog::finish_scan(ScanRecord scan, const Position& laser,
-                                  const Position& robot) {
+ParsedLine CarmenLog::finish_scan(ScanRecord scan, const Position& laser, const Position& robot) {
   const Position laser_in_robot = relative(robot, laser);
   if (!laser_in_robot_) laser_in_robot_ = laser_in_robot;
   if (!is_same_mounting(*laser_in_robot_, laser_in_robot)) ++other_mountings_;

@@ -57,8 +57,8 @@ void print(std::ostream& out, const ConversionSummary& summary) {
   out << summary.lines << " lines read: " << summary.scans << " scans, " << summary.odometry
       << " odometry";
   if (summary.is_useful())
-    out << " written, " << std::fixed << std::setprecision(1) << summary.duration
-        << " s, session " << summary.session;
+    out << " written, " << std::fixed << std::setprecision(1) << summary.duration << " s, session "
+        << summary.session;
   out << '\n';
   for (const auto& [reason, lines] : summary.dropped) {
     out << "dropped " << lines.count << ", " << reason << ": line";

@@ -95,8 +95,7 @@ std::string_view EventWriter::add(const ScanRecord& scan) {
   if (!options_.valid_max && !is_max_recorded && !is_range_max_recorded)
     return drop_reason::no_valid_range;
   const double valid_min = is_min_recorded ? scan.valid_min : kDerivedValidMin;
-  const double valid_max =
-      is_max_recorded ? scan.valid_max : kDerivedValidShare * scan.range_max;
+  const double valid_max = is_max_recorded ? scan.valid_max : kDerivedValidShare * scan.range_max;
 
   pico::laser_scan_t message{};
   set_stamp(message, {scan.utime, session_, scans_});

@@ -1,7 +1,5 @@
 /// @file pico-convert: recordings of other formats to LCM event logs.
 
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -9,18 +7,17 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
+#include "tools/cli.hpp"
 #include "tools/convert/conversion.hpp"
+#include "tools/progress.hpp"
 
 namespace {
 
 using perceptor::ConversionOptions;
 using perceptor::RecordingFormat;
 
-constexpr int kExitOk = 0;
 constexpr int kExitNothing = 1;
-constexpr int kExitUsage = 2;
 
 constexpr const char* kSummary =
     "Converts a recording to an LCM event log with PICO_LASER and PICO_ODOMETRY.\n"
@@ -40,67 +37,37 @@ constexpr const char* kExamples =
     "Exit: 0 something was written, 1 nothing was, 2 wrong usage or an input that is no\n"
     "recording.";
 
-/// A line on a terminal that follows a long input; silent for the first two seconds.
-class Progress {
- public:
-  Progress(bool is_shown, std::uintmax_t total_bytes)
-      : is_shown_(is_shown), total_(total_bytes) {}
-
-  void operator()(std::int64_t bytes) {
-    if (!is_shown_) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(250);
-    did_show_ = true;
-    constexpr double megabyte = 1e6;
-    const double done = static_cast<double>(bytes);
-    if (total_ > 0)
-      std::fprintf(stderr, "\r%3.0f %% of %.0f MB ", 100.0 * done / static_cast<double>(total_),
-                   static_cast<double>(total_) / megabyte);
-    else
-      std::fprintf(stderr, "\r%.0f MB ", done / megabyte);
-  }
-
-  void finish() const {
-    if (did_show_) std::fputs("\r                        \r", stderr);
-  }
-
- private:
-  bool is_shown_;
-  std::uintmax_t total_;
-  bool did_show_ = false;
-  std::chrono::steady_clock::time_point next_ =
-      std::chrono::steady_clock::now() + std::chrono::seconds(2);
-};
-
 int fail(int code, const std::string& what) {
   std::cerr << "pico-convert: " << what << '\n';
   return code;
 }
 
-int run(const std::string& in_name, const std::string& out_name,
-        const ConversionOptions& options) {
+int run(const std::string& in_name, const std::string& out_name, const ConversionOptions& options) {
   namespace fs = std::filesystem;
   const bool is_standard_input = in_name == "-";
   std::error_code error;
   if (!is_standard_input && fs::equivalent(in_name, out_name, error))
-    return fail(kExitUsage, "input and output are the same file");
+    return fail(perceptor::kExitUsage, "input and output are the same file");
   std::ifstream file;
   std::uintmax_t size = 0;
   if (!is_standard_input) {
-    if (!fs::exists(in_name)) return fail(kExitUsage, "there is no file " + in_name);
-    if (fs::is_directory(in_name)) return fail(kExitUsage, in_name + " is a folder");
+    if (!fs::exists(in_name)) return fail(perceptor::kExitUsage, "there is no file " + in_name);
+    if (fs::is_directory(in_name)) return fail(perceptor::kExitUsage, in_name + " is a folder");
     file.open(in_name, std::ios::binary);
-    if (!file) return fail(kExitUsage, "cannot read " + in_name);
+    if (!file) return fail(perceptor::kExitUsage, "cannot read " + in_name);
     if (fs::is_regular_file(in_name)) size = fs::file_size(in_name, error);
   }
   std::ios::sync_with_stdio(false);
-  Progress progress(isatty(fileno(stderr)) != 0, size);
-  const auto summary = perceptor::convert(is_standard_input ? std::cin : file, in_name, out_name,
-                                          options, [&](std::int64_t bytes) { progress(bytes); });
-  progress.finish();
-  print(std::cerr, summary);
-  if (summary.is_useful()) return kExitOk;
+  try {
+    perceptor::Progress progress("converting", static_cast<std::int64_t>(size));
+    const auto summary =
+        perceptor::convert(is_standard_input ? std::cin : file, in_name, out_name, options,
+                           [&](std::int64_t bytes) { progress.at(bytes); });
+    print(std::cerr, summary);
+    if (summary.is_useful()) return perceptor::kExitOk;
+  } catch (const perceptor::NotARecording& failure) {
+    return fail(perceptor::kExitUsage, failure.what());
+  }
   return fail(kExitNothing, "nothing to convert in " + in_name);
 }
 
@@ -109,7 +76,6 @@ int run(const std::string& in_name, const std::string& out_name,
 int main(int argc, char** argv) {
   CLI::App app(kSummary, "pico-convert");
   app.footer(kExamples);
-  app.set_version_flag("--version", std::string("pico-convert ") + PERCEPTOR_VERSION);
   std::string in_name;
   std::string out_name;
   ConversionOptions options;
@@ -124,8 +90,7 @@ int main(int argc, char** argv) {
   app.add_flag("--still", options.events.still,
                "the robot stood still: write an odometry of zeros around every scan, instead of "
                "what was recorded");
-  app.add_option("--sigma", options.events.range_sigma,
-                 "[m] standard deviation of a valid range")
+  app.add_option("--sigma", options.events.range_sigma, "[m] standard deviation of a valid range")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 10.0));
   app.add_option("--session", options.events.session,
@@ -141,16 +106,5 @@ int main(int argc, char** argv) {
   app.add_option("--valid-max", options.events.valid_max,
                  "[m] a longer range is no return; default: as recorded")
       ->check(CLI::PositiveNumber);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitOk : kExitUsage;
-  }
-  try {
-    return run(in_name, out_name, options);
-  } catch (const perceptor::NotARecording& error) {
-    return fail(kExitUsage, error.what());
-  } catch (const std::exception& error) {
-    return fail(kExitNothing, error.what());
-  }
+  return perceptor::run_tool(app, argc, argv, [&] { return run(in_name, out_name, options); });
 }

@@ -12,7 +12,6 @@
 
 namespace perceptor {
 
-
 struct OdometryRecord {
   std::int64_t utime = 0;  ///< [us]
   Position robot_in_odometry;

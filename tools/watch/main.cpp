@@ -28,6 +28,7 @@ struct WatchOptions {
   std::vector<std::string> wait_for;
   std::filesystem::path wait_log;
   double timeout = 20.0;
+  bool check = false;
 };
 
 bool has_grown(const std::filesystem::path& log) {
@@ -93,6 +94,7 @@ int watch_bus(const WatchOptions& options) {
     print_no_bus("pico-watch", options.lcm_url);
     return kExitFailed;
   }
+  if (options.check) return kExitOk;
   if (!options.wait_log.empty()) return wait_for_log(lcm, options) ? kExitOk : kExitFailed;
 
   Status status("watch", 0);
@@ -125,6 +127,7 @@ int main(int argc, char** argv) {
       ->delimiter(',');
   app.add_option("--wait-log", options.wait_log,
                  "only wait until lcm-logger has written to this file, and exit");
+  app.add_flag("--check", options.check, "only open the bus; exit code 1 where that fails");
   app.add_option("--timeout", options.timeout, "[s] give up waiting: exit code 1")
       ->capture_default_str();
   app.footer("Stop with Ctrl-C. Examples:\n"

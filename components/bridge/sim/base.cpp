@@ -46,8 +46,7 @@ Twist Base::next_twist(const Twist& wished, double seconds) const {
   const Vector2 present{twist_.vx, twist_.vy};
   const Vector2 allowed = limited({wished.vx, wished.vy}, parameters_.speed);
   const Vector2 next = present + limited(allowed - present, parameters_.acceleration * seconds);
-  const double allowed_turn =
-      std::clamp(wished.va, -parameters_.turn_rate, parameters_.turn_rate);
+  const double allowed_turn = std::clamp(wished.va, -parameters_.turn_rate, parameters_.turn_rate);
   const double turn_step = parameters_.angular_acceleration * seconds;
   const double next_turn = twist_.va + std::clamp(allowed_turn - twist_.va, -turn_step, turn_step);
   return {next.x(), next.y(), next_turn};

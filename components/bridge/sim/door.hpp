@@ -16,12 +16,12 @@ enum class DoorMode {
 };
 
 struct DoorParameters {
-  Segment opening;              ///< between the jambs [m] world frame
+  Segment opening;  ///< between the jambs [m] world frame
   DoorMode mode = DoorMode::open;
-  double recess = 0.1;          ///< [m] of a recessed leaf, positive to the left of the opening
-  double travel_time = 2.0;     ///< [s] from shut to open
-  double open_for = 10.0;       ///< [s] from the request (or the period's start) until it shuts
-  double period = 30.0;         ///< [s] of a timed door
+  double recess = 0.1;       ///< [m] of a recessed leaf, positive to the left of the opening
+  double travel_time = 2.0;  ///< [s] from shut to open
+  double open_for = 10.0;    ///< [s] from the request (or the period's start) until it shuts
+  double period = 30.0;      ///< [s] of a timed door
 };
 
 class Door {

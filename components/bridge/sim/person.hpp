@@ -9,16 +9,16 @@
 namespace perceptor::sim {
 
 struct PersonParameters {
-  std::vector<Vector2> path;     ///< [m] world frame; one point: a person who stands
-  double speed = 0.8;            ///< [m/s]
-  double radius = 0.25;          ///< [m] of the body, for collisions
-  bool two_legs = true;          ///< the laser sees two legs; otherwise one body
-  double leg_radius = 0.09;      ///< [m]
-  double leg_separation = 0.3;   ///< [m] between the middles of the legs, across
-  double stride = 1.3;           ///< [m] walked in one full cycle of the gait
-  double step_length = 0.3;      ///< [m] a leg is this far ahead or behind at most
-  double waits_within = 1.0;     ///< [m] stands still for a robot ahead that is nearer
-  double patience = 3.0;         ///< [s] after so long of waiting, turns back
+  std::vector<Vector2> path;    ///< [m] world frame; one point: a person who stands
+  double speed = 0.8;           ///< [m/s]
+  double radius = 0.25;         ///< [m] of the body, for collisions
+  bool two_legs = true;         ///< the laser sees two legs; otherwise one body
+  double leg_radius = 0.09;     ///< [m]
+  double leg_separation = 0.3;  ///< [m] between the middles of the legs, across
+  double stride = 1.3;          ///< [m] walked in one full cycle of the gait
+  double step_length = 0.3;     ///< [m] a leg is this far ahead or behind at most
+  double waits_within = 1.0;    ///< [m] stands still for a robot ahead that is nearer
+  double patience = 3.0;        ///< [s] after so long of waiting, turns back
 };
 
 class Person {

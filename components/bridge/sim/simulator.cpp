@@ -60,8 +60,7 @@ std::int64_t Simulator::next_sweep() const {
 }
 
 std::int64_t Simulator::next_due() const {
-  const std::int64_t next =
-      std::min(next_odometry(), next_sweep() + sweep_time(parameters_.laser));
+  const std::int64_t next = std::min(next_odometry(), next_sweep() + sweep_time(parameters_.laser));
   const std::int64_t ticks = (next - utime_ + parameters_.tick - 1) / parameters_.tick;
   return utime_ + (std::max<std::int64_t>(ticks, 1) * parameters_.tick);
 }
@@ -79,8 +78,7 @@ bool Simulator::request_door(std::optional<int> door) {
   double nearest_distance = 0.0;
   for (Door& candidate : doors_) {
     if (candidate.parameters().mode != DoorMode::on_request) continue;
-    const double away =
-        distance(candidate.parameters().opening, base_.robot_in_world().location());
+    const double away = distance(candidate.parameters().opening, base_.robot_in_world().location());
     if (nearest != nullptr && away >= nearest_distance) continue;
     nearest = &candidate;
     nearest_distance = away;
@@ -89,12 +87,10 @@ bool Simulator::request_door(std::optional<int> door) {
 }
 
 Twist Simulator::wished_twist(double seconds) {
-  const bool is_commanded =
-      parameters_.drive == Drive::command ||
-      (parameters_.drive == Drive::automatic && command_.has_value());
+  const bool is_commanded = parameters_.drive == Drive::command ||
+                            (parameters_.drive == Drive::automatic && command_.has_value());
   if (!is_commanded) {
-    const Twist wished =
-        tour_driver_.drive(base_.robot_in_world(), seconds, obstacles_.bodies);
+    const Twist wished = tour_driver_.drive(base_.robot_in_world(), seconds, obstacles_.bodies);
     if (const auto door = tour_driver_.take_door_request()) request_door(*door);
     return wished;
   }

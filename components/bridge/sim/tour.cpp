@@ -50,8 +50,8 @@ Twist TourDriver::drive_on(const Position& robot_in_world, const std::vector<Cir
   if (std::abs(heading_error) > parameters_.turn_first) return {0.0, 0.0, turn_rate};
 
   const double can_still_stop = std::sqrt(2.0 * parameters_.acceleration * left);
-  const double speed = stops_at_target(direction) ? std::min(parameters_.speed, can_still_stop)
-                                                  : parameters_.speed;
+  const double speed =
+      stops_at_target(direction) ? std::min(parameters_.speed, can_still_stop) : parameters_.speed;
   const Vector2 velocity_in_robot =
       perceptor::transform(direction, -robot_in_world.a, Vector2::Zero()) * speed;
   return {velocity_in_robot.x(), velocity_in_robot.y(), turn_rate};

@@ -19,15 +19,15 @@ struct Waypoint {
 
 struct TourParameters {
   std::vector<Waypoint> points;
-  bool loop = true;                   ///< from the last way-point to the first again
-  double speed = 0.5;                 ///< [m/s] along the way
-  double turn_rate = 1.0;             ///< [rad/s]
-  double acceleration = 0.8;          ///< [m/s^2] with which it slows down; below the base's own
-  double gain = 2.0;                  ///< [1/s] turn rate for each radian of heading error
-  double reach = 0.05;                ///< [m] so near a way-point is reached
-  double turn_first = 0.35;           ///< [rad] a larger heading error is turned away on the spot
-  double gives_way_within = 1.0;      ///< [m] waits for a person ahead who is nearer
-  double gives_way_width = 0.6;       ///< [m] ahead means so far aside at most
+  bool loop = true;               ///< from the last way-point to the first again
+  double speed = 0.5;             ///< [m/s] along the way
+  double turn_rate = 1.0;         ///< [rad/s]
+  double acceleration = 0.8;      ///< [m/s^2] with which it slows down; below the base's own
+  double gain = 2.0;              ///< [1/s] turn rate for each radian of heading error
+  double reach = 0.05;            ///< [m] so near a way-point is reached
+  double turn_first = 0.35;       ///< [rad] a larger heading error is turned away on the spot
+  double gives_way_within = 1.0;  ///< [m] waits for a person ahead who is nearer
+  double gives_way_width = 0.5;   ///< [m] ahead means so far aside at most
 };
 
 class TourDriver {
@@ -65,9 +65,9 @@ class TourDriver {
   Activity activity_ = Activity::driving;
   std::size_t target_ = 0;
   int reached_ = 0;
-  double last_heading_ = 0.0;  ///< [rad] while turning
-  double still_to_turn_ = 0.0; ///< [rad]
-  double still_to_pause_ = 0.0; ///< [s]
+  double last_heading_ = 0.0;    ///< [rad] while turning
+  double still_to_turn_ = 0.0;   ///< [rad]
+  double still_to_pause_ = 0.0;  ///< [s]
   std::optional<int> door_request_;
 };
 

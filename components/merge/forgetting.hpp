@@ -1,0 +1,44 @@
+/// @file What makes a wall of the map certain, and what takes it out again.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "components/merge/sees_through.hpp"
+#include "components/merge/wall.hpp"
+
+namespace perceptor::merge {
+
+struct ConfirmationParameters {
+  int sightings = 3;            ///< scans that must see a wall before it is published
+  double tentative_time = 5.0;  ///< [s] a wall not confirmed by then is removed; less than
+                                ///< `sightings` scans take would confirm nothing
+};
+
+struct ForgettingParameters {
+  SeesThroughParameters sees_through;
+  double factor = 0.5;      ///< of a wall's weight kept by each scan that sees through it
+  double min_weight = 1.0;  ///< below it the piece that is seen through goes
+  double min_piece = 0.2;   ///< [m] what is left of a wall beside the opening stays if longer
+};
+
+/// Halves the weight of each wall that the scan sees through, and cuts the piece that it sees
+/// through out of those whose weight is used up: a shorter wall, two, or none remain. `sighted`
+/// and `laser` in the local frame. A new piece takes its id from `next_id`, which counts on.
+void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sighted,
+                         const Vector2& laser, std::int32_t& next_id,
+                         const ForgettingParameters& parameters);
+
+/// Confirms the walls that were seen often enough, and those that are connected to a
+/// confirmed one, however many walls lie between.
+void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters);
+
+/// Removes the walls that were not confirmed in time.
+void forget_tentative(std::vector<Wall>& walls, std::int64_t utime,
+                      const ConfirmationParameters& parameters);
+
+/// Removes the longest unseen until `max_walls` are left; of those seen last together the
+/// tentative go first, then the lightest.
+void forget_longest_unseen(std::vector<Wall>& walls, std::size_t max_walls);
+
+}  // namespace perceptor::merge

@@ -1,0 +1,73 @@
+#include "components/merge/local_map.hpp"
+
+#include <map>
+#include <string>
+
+namespace perceptor::merge {
+namespace {
+
+/// Across the wall the line says how well the end is known, along it the end itself.
+Eigen::Matrix2d end_covariance(const Wall& wall, std::size_t end) {
+  const Line line = line_of(wall.segment);
+  const double to_end = end == kHead ? line.length / 2.0 : -line.length / 2.0;
+  const double across = moved_along(wall.covariance, to_end)(0, 0);
+  return wall.ends[end].variance * line.along * line.along.transpose() +
+         across * line.normal * line.normal.transpose();
+}
+
+void fill_point(Point& point, const Wall& wall, std::size_t end, double end_sigma) {
+  point.covariance = end_covariance(wall, end);
+  point.method = wall.ends[end].method;
+  point.radius = wall.ends[end].radius;
+  point.weight = end_sigma * end_sigma / wall.ends[end].variance;
+}
+
+void fill_object(Object& object, const Wall& wall) {
+  object.id = wall.id;
+  object.is_new = wall.is_new;
+  object.free_side = FreeSide::left;
+  object.support = wall.support;
+  object.weight = wall.weight;
+  object.line_covariance = wall.covariance;
+  object.first_seen = wall.first_seen;
+  object.last_seen = wall.last_seen;
+}
+
+Index point_of(const Map& map, Index object, std::size_t end) {
+  return map.objects[static_cast<std::size_t>(object)].points[end];
+}
+
+/// The head of one and the tail of the other lie on top of each other.
+void connect_corner(Map& map, Index arriving, Index leaving) {
+  const Index head = point_of(map, arriving, kHead);
+  const Index tail = point_of(map, leaving, kTail);
+  connect(map, head, tail);
+  map.points[static_cast<std::size_t>(head)].projection = tail;
+  map.points[static_cast<std::size_t>(tail)].projection = head;
+}
+
+}  // namespace
+
+Map confirmed_map(const std::vector<Wall>& walls, double end_sigma) {
+  Map map;
+  std::map<std::int32_t, Index> object_of_id;
+  for (const Wall& wall : walls) {
+    if (!wall.confirmed) continue;
+    const Index added = add_segment(map, wall.segment, ObjectType::wall,
+                                    "wall " + std::to_string(wall.id));
+    object_of_id[wall.id] = added;
+    fill_object(map.objects[static_cast<std::size_t>(added)], wall);
+    for (const std::size_t end : {kTail, kHead})
+      fill_point(map.points[static_cast<std::size_t>(point_of(map, added, end))], wall, end,
+                 end_sigma);
+  }
+  for (const Wall& wall : walls) {
+    const auto arriving = object_of_id.find(wall.id);
+    const auto leaving = object_of_id.find(wall.ends[kHead].connected);
+    if (arriving != object_of_id.end() && leaving != object_of_id.end())
+      connect_corner(map, arriving->second, leaving->second);
+  }
+  return map;
+}
+
+}  // namespace perceptor::merge

@@ -1,0 +1,108 @@
+#include "tools/eval/world_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/angle.hpp"
+#include "common/messages/convert.hpp"
+
+namespace perceptor {
+namespace {
+
+constexpr std::size_t kTruthsKept = 400;  // ten seconds of scans: no map comes later
+
+/// The straight pieces of an object, the closing one included.
+void append_edges(const Map& map, const Object& object, std::vector<Segment>& edges) {
+  const auto location = [&](std::size_t i) {
+    return map.points[static_cast<std::size_t>(object.points[i])].location;
+  };
+  for (std::size_t i = 0; i + 1 < object.points.size(); ++i)
+    edges.push_back({location(i), location(i + 1)});
+  if (object.connection == Connection::closed && object.points.size() > 2)
+    edges.push_back({location(object.points.size() - 1), location(0)});
+}
+
+PoseError error_between(const Position& estimate, const Position& truth) {
+  return {distance(estimate.location(), truth.location()),
+          std::abs(angle_difference(truth.a, estimate.a))};
+}
+
+}  // namespace
+
+void WorldScorer::take(const pico::truth_t& truth) {
+  if (!first_in_world_ || truth.session != session_) {
+    session_ = truth.session;
+    first_in_world_ = to_model(truth.robot_in_world);
+  } else if (!truths_.empty()) {
+    score_.driven += distance(to_model(truths_.back().robot_in_world).location(),
+                              to_model(truth.robot_in_world).location());
+  }
+  truths_.push_back(truth);
+  if (truths_.size() > kTruthsKept) truths_.pop_front();
+}
+
+void WorldScorer::take_world(const pico::map_t& message) {
+  const Map world = to_model(message);
+  walls_.clear();
+  openings_.clear();
+  for (const Object& object : world.objects) {
+    const bool is_open_door = object.type == ObjectType::door && object.reason != "shut";
+    if (is_open_door)
+      openings_.push_back(segment(world, object));
+    else
+      append_edges(world, object, walls_);
+  }
+  opening_found_.resize(openings_.size());
+}
+
+bool WorldScorer::is_on_a_wall(const Segment& found) const {
+  return std::ranges::any_of(walls_, [&](const Segment& wall) {
+    return length(wall) > 0.0 && smallest_relative_angle(wall, found) < parameters_.max_angle &&
+           distance(wall, found.a) < parameters_.max_offset &&
+           distance(wall, found.b) < parameters_.max_offset;
+  });
+}
+
+std::optional<std::size_t> WorldScorer::opening_at(const Segment& found) const {
+  for (std::size_t i = 0; i < openings_.size(); ++i)
+    if (distance(middle(openings_[i]), middle(found)) < parameters_.max_door_offset) return i;
+  return std::nullopt;
+}
+
+void WorldScorer::take_identified(const pico::map_t& message) {
+  const auto truth = std::ranges::find_if(truths_, [&](const pico::truth_t& t) {
+    return t.session == message.session && t.seq == message.seq;
+  });
+  if (truth == truths_.end() || walls_.empty()) return;
+
+  const Position robot_in_world = to_model(truth->robot_in_world);
+  const Map map = to_model(message);
+  ++score_.maps;
+  for (const Object& object : map.objects) {
+    if (object.points.size() != 2) continue;
+    const Segment in_world = transform(robot_in_world, segment(map, object));
+    if (object.type == ObjectType::wall) {
+      ++score_.walls;
+      score_.walls_right += is_on_a_wall(in_world) ? 1 : 0;
+    } else if (object.type == ObjectType::door) {
+      ++score_.doors;
+      if (const auto opening = opening_at(in_world)) {
+        ++score_.doors_right;
+        opening_found_[*opening] = true;
+      }
+    }
+  }
+  const Position robot_in_start = relative(*first_in_world_, robot_in_world);
+  score_.odometry_at_end = error_between(to_model(message.robot_in_zero), robot_in_start);
+  score_.merge_at_end = error_between(to_model(message.robot_in_local), robot_in_start);
+}
+
+std::optional<WorldScore> WorldScorer::score() const {
+  if (score_.maps == 0) return std::nullopt;
+  WorldScore score = score_;
+  score.openings = openings_.size();
+  score.openings_found = static_cast<std::size_t>(std::ranges::count(opening_found_, true));
+  return score;
+}
+
+}  // namespace perceptor
