@@ -137,6 +137,9 @@ class CandidateFinder {
 
   std::optional<Candidate> between(const Bound& first, const Bound& second) const {
     const Vector2 across = second.end->location - first.end->location;
+    const bool point_at_each_other =
+        first.end->outward.dot(across) > 0.0 && second.end->outward.dot(across) < 0.0;
+    if (!point_at_each_other) return std::nullopt;
     const double width = length(across);
     if (!has_door_width(width)) return std::nullopt;
     const Vector2 along = across / width;
@@ -163,17 +166,18 @@ class CandidateFinder {
   }
 
   std::optional<Candidate> onto_face(const Bound& bound, const Wall& face) const {
+    if (is_out_of_reach(face, bound.end->location, limits_.door_max_width)) return std::nullopt;
     if (&face == bound.wall) return std::nullopt;
-    const Vector2 outward = bound.end->outward;
+    const Vector2& outward = bound.end->outward;
+    const Vector2& face_along = face.ends[1].outward;
+    const double off_square = std::abs(outward.dot(face_along));  // sine of the angle
+    if (off_square > max_face_sine_) return std::nullopt;
     const Vector2 to_a = face.ends[0].location - bound.end->location;
     const Vector2 to_b = face.ends[1].location - bound.end->location;
     const bool passes_by = cross(outward, to_a) * cross(outward, to_b) >= 0.0;
     if (passes_by) return std::nullopt;
-    const Vector2 face_along = face.ends[1].outward;
     const double width = cross(to_a, face_along) / cross(outward, face_along);
     if (!has_door_width(width)) return std::nullopt;
-    const double angle = std::asin(std::min(1.0, std::abs(outward.dot(face_along))));
-    if (angle > limits_.max_face_angle) return std::nullopt;
     const Vector2 location = bound.end->location + width * outward;
     const double from_face_end = std::min(distance(location, face.ends[0].location),
                                           distance(location, face.ends[1].location));
@@ -184,7 +188,7 @@ class CandidateFinder {
     const int side = side_of(bound.wall->free, outward);
     const OpeningLine line = opening_line(bound.end->location, outward, width, side);
     if (is_shut(line, walls_, &face, limits_)) return std::nullopt;
-    const Residuals residuals{share(angle, limits_.max_face_angle), 0.0};
+    const Residuals residuals{share(std::asin(off_square), limits_.max_face_angle), 0.0};
     const bool sides_known = side != 0 && looks_away < 0.0;
     Candidate candidate = make(line, bound.kind, BoundKind::face, side, sides_known, residuals);
     set_bounds(candidate, line, bound_of(bound), {location, kNone, face.object});
@@ -243,9 +247,10 @@ class CandidateFinder {
   }
 
   const std::vector<Wall>& walls_;
-  Vector2 robot_;
-  OpeningParameters limits_;
-  ConfidenceParameters confidence_;
+  const Vector2& robot_;
+  const OpeningParameters& limits_;
+  const ConfidenceParameters& confidence_;
+  double max_face_sine_ = std::sin(limits_.max_face_angle);
 };
 
 }  // namespace

@@ -60,9 +60,10 @@ PointProperty type_of_loose_end(const Point& point, const CornerTypeParameters& 
   return lost_its_partner ? PointProperty::floating : point.property;
 }
 
-Corner corner_of(const Wall& wall, const WallEnd& end, const std::vector<Wall>& walls) {
-  const Wall& other_wall = walls[end.partner->wall];
-  const WallEnd& other = end_of(walls, *end.partner);
+Corner corner_of(const Wall& wall, const WallEnd& end, const EndHandle& partner,
+                 const std::vector<Wall>& walls) {
+  const Wall& other_wall = walls[partner.wall];
+  const WallEnd& other = end_of(walls, partner);
   return {.location = 0.5 * (end.location + other.location),
           .first = {-end.outward, wall.free},
           .second = {-other.outward, other_wall.free}};
@@ -75,9 +76,9 @@ void classify_corners(Map& map, const std::vector<Wall>& walls, const Vector2& r
   for (const Wall& wall : walls) {
     for (const WallEnd& end : wall.ends) {
       Point& point = map.points[static_cast<std::size_t>(end.point)];
-      point.property = end.partner
-                           ? type_of(corner_of(wall, end, walls), robot, parameters.straight_angle)
-                           : type_of_loose_end(point, parameters);
+      point.property = end.partner ? type_of(corner_of(wall, end, *end.partner, walls), robot,
+                                             parameters.straight_angle)
+                                   : type_of_loose_end(point, parameters);
     }
   }
   for (Point& point : map.points) {

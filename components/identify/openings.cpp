@@ -43,6 +43,9 @@ bool lie_side_by_side(const Segment& s, const Segment& t, const OpeningParameter
 bool are_one_opening(const Candidate& c, const Candidate& d, const OpeningParameters& parameters) {
   const Segment s = segment_of(c);
   const Segment t = segment_of(d);
+  const double reach = 0.5 * (c.width + d.width) + parameters.max_wall_thickness;
+  const bool are_apart = ((s.a + s.b) - (t.a + t.b)).squaredNorm() > 4.0 * reach * reach;
+  if (are_apart) return false;
   return cross_each_other(s, t) || lie_side_by_side(s, t, parameters);
 }
 

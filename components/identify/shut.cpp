@@ -58,8 +58,11 @@ bool stands_across(const Place& a, const Place& b, double width,
 
 bool is_shut(const OpeningLine& line, const std::vector<Wall>& walls, const Wall* face,
              const OpeningParameters& parameters) {
+  const Vector2 middle = line.start + 0.5 * line.width * line.along;
+  const double depth = std::max(parameters.shut_depth_behind, parameters.shut_depth_before);
+  const double reach = 0.5 * line.width + std::max(depth, parameters.end_tolerance);
   return std::ranges::any_of(walls, [&](const Wall& wall) {
-    if (&wall == face) return false;
+    if (&wall == face || is_out_of_reach(wall, middle, reach)) return false;
     const Place a = seen_from(line, wall.ends[0].location);
     const Place b = seen_from(line, wall.ends[1].location);
     return crosses(a, b, line.width, parameters.end_tolerance) ||

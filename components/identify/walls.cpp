@@ -30,6 +30,7 @@ std::optional<Wall> read_wall(const Map& map, std::size_t index) {
   const Vector2 along = (between.b - between.a) / wall_length;
   Wall wall{.object = static_cast<Index>(index),
             .length = wall_length,
+            .middle = middle(between),
             .free = free_normal(along, object.free_side),
             .ends = {}};
   wall.ends[0] = {object.points[0], between.a, -along, std::nullopt};

@@ -27,16 +27,24 @@ struct WallEnd {
 
 /// A wall of two ends and some length.
 struct Wall {
-  Index object = kNone;            ///< in Map::objects
-  double length = 0.0;             ///< [m]
-  Vector2 free = Vector2::Zero();  ///< normal on the free side, length one; zero: unknown
-  std::array<WallEnd, 2> ends;     ///< in the order of the object's points
+  Index object = kNone;              ///< in Map::objects
+  double length = 0.0;               ///< [m]
+  Vector2 middle = Vector2::Zero();  ///< [m]
+  Vector2 free = Vector2::Zero();    ///< normal on the free side, length one; zero: unknown
+  std::array<WallEnd, 2> ends;       ///< in the order of the object's points
 };
 
 /// All walls of a map that can be looked at: of type wall, with two different points that are
 /// there, and with a finite length that is not zero. Others say nothing of corners or doors,
 /// and an end that is connected to anything else has no partner.
 std::vector<Wall> read_walls(const Map& map);
+
+/// Whether a place is so far from all of a wall, ends included, that nothing within `reach`
+/// [m] of the place can touch it. Quick, and never wrong; false says nothing.
+inline bool is_out_of_reach(const Wall& wall, const Vector2& place, double reach) {
+  const double limit = 0.5 * wall.length + reach;
+  return (wall.middle - place).squaredNorm() > limit * limit;
+}
 
 inline const WallEnd& end_of(const std::vector<Wall>& walls, const EndHandle& handle) {
   return walls[handle.wall].ends[handle.end];

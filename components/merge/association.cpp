@@ -13,8 +13,7 @@ bool is_on_free_side(const Line& line, const Vector2& robot, double tolerance) {
 }  // namespace
 
 std::vector<Match> match_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
-                               const std::vector<Line>& known_lines,
-                               const Vector2& robot_in_local,
+                               const std::vector<Line>& known_lines, const Vector2& robot_in_local,
                                const SameWallParameters& parameters) {
   std::vector<Match> matches;
   matches.reserve(sighted.size());

@@ -52,6 +52,9 @@ std::optional<Corner> possible_corner(const Wall& arriving, const Wall& leaving,
   Corner corner;
   corner.was_connected = were_connected(arriving, leaving);
   corner.is_intersection = turn >= parameters.min_angle;
+  const bool is_step =
+      !corner.is_intersection && std::abs(cross(along_in, tail - head)) > parameters.max_step;
+  if (is_step) return std::nullopt;
   corner.spread = distance(head, tail);
   corner.location = corner.is_intersection
                         ? intersection(head, along_in, tail, along_out)
@@ -114,8 +117,7 @@ void apply(const Corner& corner, std::vector<Wall>& walls, const EndParameters& 
   Wall& leaving = walls[corner.leaving];
   set_ends(arriving, {arriving.segment.a, corner.location});
   set_ends(leaving, {corner.location, leaving.segment.b});
-  const double along_arriving =
-      corner.is_intersection ? variance_by_line(arriving, leaving) : 0.0;
+  const double along_arriving = corner.is_intersection ? variance_by_line(arriving, leaving) : 0.0;
   const double along_leaving = corner.is_intersection ? variance_by_line(leaving, arriving) : 0.0;
   fix_end(arriving.ends[kHead], leaving.id, along_arriving, corner.is_intersection, parameters);
   fix_end(leaving.ends[kTail], arriving.id, along_leaving, corner.is_intersection, parameters);

@@ -53,9 +53,9 @@ Interval with_margins(Interval opening, double wall_length, double margin) {
 
 void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newly_confirmed) {
   const auto index_of = [&walls](std::int32_t id) {
-    const auto found = std::lower_bound(
-        walls.begin(), walls.end(), id,
-        [](const Wall& wall, std::int32_t wanted) { return wall.id < wanted; });
+    const auto found =
+        std::lower_bound(walls.begin(), walls.end(), id,
+                         [](const Wall& wall, std::int32_t wanted) { return wall.id < wanted; });
     return static_cast<std::size_t>(found - walls.begin());
   };
   while (!newly_confirmed.empty()) {
@@ -79,15 +79,14 @@ void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sigh
                          const ForgettingParameters& parameters) {
   std::vector<Wall> added;
   for (Wall& wall : walls) {
-    const auto opening =
-        widest_opening(wall.segment, laser, sighted, parameters.sees_through);
+    const auto opening = widest_opening(wall.segment, laser, sighted, parameters.sees_through);
     wall.doubted = opening.has_value();
     if (!opening) continue;
     wall.weight *= parameters.factor;
     if (wall.weight >= parameters.min_weight) continue;
 
-    const Interval widened = with_margins(*opening, length(wall.segment),
-                                          2.0 * parameters.sees_through.end_margin);
+    const Interval widened =
+        with_margins(*opening, length(wall.segment), 2.0 * parameters.sees_through.end_margin);
     const std::vector<Wall> pieces = cut(wall, widened, parameters.min_piece);
     wall.remove = pieces.empty();
     if (!pieces.empty()) wall = pieces.front();
@@ -116,8 +115,8 @@ void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters)
 void forget_tentative(std::vector<Wall>& walls, std::int64_t utime,
                       const ConfirmationParameters& parameters) {
   for (Wall& wall : walls)
-    wall.remove = !wall.confirmed &&
-                  seconds_between(wall.first_seen, utime) > parameters.tentative_time;
+    wall.remove =
+        !wall.confirmed && seconds_between(wall.first_seen, utime) > parameters.tentative_time;
   remove_marked(walls);
 }
 

@@ -94,9 +94,9 @@ void merge_extent(Wall& fused, const LineEstimate& line, const Wall& other,
   for (const std::size_t i : {kTail, kHead}) {
     const Vector2 outwards = i == kHead ? line.along : Vector2(-line.along);
     const auto place_of = [&](const Vector2& end) { return outwards.dot(end - line.anchor); };
-    const PlacedEnd merged = merge_ends({place_of(kept_ends[i]), fused.ends[i]},
-                                        {place_of(other_ends[i]), other.ends[i]},
-                                        other.sightings, parameters);
+    const PlacedEnd merged =
+        merge_ends({place_of(kept_ends[i]), fused.ends[i]},
+                   {place_of(other_ends[i]), other.ends[i]}, other.sightings, parameters);
     ends[i] = line.anchor + merged.place * outwards;
     fused.ends[i] = merged.end;
   }

@@ -53,8 +53,8 @@ Map confirmed_map(const std::vector<Wall>& walls, double end_sigma) {
   std::map<std::int32_t, Index> object_of_id;
   for (const Wall& wall : walls) {
     if (!wall.confirmed) continue;
-    const Index added = add_segment(map, wall.segment, ObjectType::wall,
-                                    "wall " + std::to_string(wall.id));
+    const Index added =
+        add_segment(map, wall.segment, ObjectType::wall, "wall " + std::to_string(wall.id));
     object_of_id[wall.id] = added;
     fill_object(map.objects[static_cast<std::size_t>(added)], wall);
     for (const std::size_t end : {kTail, kHead})

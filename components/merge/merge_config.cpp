@@ -17,12 +17,14 @@ void describe(config::Fields& fields, SightingParameters& p) {
   fields.number("offset_sigma", p.offset_sigma, kSmall,
                 "[m] added to the scan's own: what no scan knows of its mounting and timing");
   fields.number("angle_sigma", p.angle_sigma, kSmall, "[rad] the same of a wall's angle");
+  fields.number("end_sigma", p.end_sigma, kSmall,
+                "[m] the same of an end's place along its wall; known so well its weight is 1");
   fields.number("unknown_offset_sigma", p.unknown_offset_sigma, kSmall,
                 "[m] of a wall that comes without covariance");
   fields.number("unknown_angle_sigma", p.unknown_angle_sigma, kSmall,
                 "[rad] of a wall that comes without covariance");
-  fields.number("end_sigma", p.end_sigma, kSmall,
-                "[m] of an end that comes without covariance; known this well its weight is 1");
+  fields.number("unknown_end_sigma", p.unknown_end_sigma, kSmall,
+                "[m] of an end that comes without covariance");
   fields.number("radius", p.radius, kMetres, "[m] of an end that comes without one");
   fields.number("max_radius", p.max_radius, kMetres, "[m] no end reaches further for a corner");
 }
@@ -53,6 +55,7 @@ void describe(config::Fields& fields, RegistrationParameters& p) {
   fields.integer("rounds", p.rounds, {1, 10}, "of matching anew");
   fields.integer("iterations", p.iterations, {1, 50}, "of least squares in each round");
   fields.number("outlier_sigmas", p.outlier_sigmas, kSigmas, "a wall this far off counts half");
+  fields.number("annealing", p.annealing, {1.0, 1e3}, "the round before doubts so many times less");
   fields.number("max_correction", p.max_correction, kMetres, "[m] a larger one is not believed");
   fields.number("max_heading_correction", p.max_heading_correction, kAngle,
                 "[rad] a larger one is not believed");
@@ -83,6 +86,8 @@ void describe(config::Fields& fields, FusionParameters& p) {
 void describe(config::Fields& fields, CornerParameters& p) {
   fields.number("min_angle", p.min_angle, {0.01, 1.5},
                 "[rad] below it two lines do not fix a corner: their ends do");
+  fields.number("max_step", p.max_step, kMetres,
+                "[m] nearly parallel walls further apart sideways do not form a corner");
   fields.number("keep_radius", p.keep_radius, kMetres,
                 "[m] a corner whose walls part further comes undone");
 }

@@ -57,14 +57,13 @@ void Merger::clear() {
 }
 
 LocalMap Merger::update(const ScanMap& scan) {
-  const std::vector<Wall> sighted = sighted_walls(scan.walls, scan.laser_in_robot.location(),
-                                                  scan.utime, parameters_.sighting);
+  const std::vector<Wall> sighted =
+      sighted_walls(scan.walls, scan.laser_in_robot.location(), scan.utime, parameters_.sighting);
   for (Wall& wall : walls_) wall.is_new = false;
 
   const PoseEstimate predicted = predict_pose(scan);
-  const Registration registration =
-      register_walls(sighted, walls_, lines_of(walls_), predicted, parameters_.same_wall,
-                     parameters_.registration);
+  const Registration registration = register_walls(sighted, walls_, lines_of(walls_), predicted,
+                                                   parameters_.same_wall, parameters_.registration);
   const PoseEstimate& robot_in_local = registration.robot_in_local;
   if (is_to_be_merged(registration)) merge_scan(sighted, robot_in_local, scan);
   previous_ = {scan.utime, scan.robot_in_zero, robot_in_local};

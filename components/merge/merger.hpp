@@ -32,10 +32,10 @@ struct MergeParameters {
 
 /// One scan as merge gets it.
 struct ScanMap {
-  std::int64_t utime = 0;    ///< [us]
-  Position robot_in_zero;    ///< from odometry
-  Position laser_in_robot;   ///< where the scan was taken from
-  Map walls;                 ///< robot frame
+  std::int64_t utime = 0;   ///< [us]
+  Position robot_in_zero;   ///< from odometry
+  Position laser_in_robot;  ///< where the scan was taken from
+  Map walls;                ///< robot frame
 };
 
 /// What is known after a scan.

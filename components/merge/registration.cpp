@@ -29,8 +29,7 @@ void add_line(NormalEquations& equations, const Position& robot_in_local, const 
   const Line line = line_of(transform(robot_in_local, sighted.segment));
   const Vector2 from_known = line.middle - known_line.middle;
   const Vector2 lever = perpendicular(line.middle - robot_in_local.location());
-  const Eigen::Vector2d residual(known_line.normal.dot(from_known),
-                                 turn_between(known_line, line));
+  const Eigen::Vector2d residual(known_line.normal.dot(from_known), turn_between(known_line, line));
   Eigen::Matrix<double, 2, 3> by_pose;
   by_pose << known_line.normal.x(), known_line.normal.y(), known_line.normal.dot(lever), 0.0, 0.0,
       1.0;
@@ -98,19 +97,18 @@ struct Correction {
 Correction correct(const PoseEstimate& predicted, const Position& start,
                    const std::vector<Wall>& sighted, const std::vector<Wall>& known,
                    const std::vector<Line>& known_lines, const std::vector<Match>& matches,
-                   const RegistrationParameters& parameters) {
+                   double outlier_sigmas, const RegistrationParameters& parameters) {
   const Eigen::Matrix3d prior = predicted.covariance.inverse();
   Correction correction{{start, predicted.covariance}, std::nullopt};
   Position& pose = correction.robot_in_local.pose;
   constexpr double kConverged = 1e-10;
   for (int i = 0; i < parameters.iterations; ++i) {
-    NormalEquations equations = normal_equations(pose, sighted, known, known_lines, matches,
-                                                 parameters.outlier_sigmas);
+    NormalEquations equations =
+        normal_equations(pose, sighted, known, known_lines, matches, outlier_sigmas);
     correction.loose = loose_direction(equations, parameters.unobservable_sigma);
     if (correction.loose) silence(equations, *correction.loose);
     const Eigen::Matrix3d information = prior + equations.information;
-    const Eigen::Vector3d gradient =
-        equations.gradient + prior * difference(pose, predicted.pose);
+    const Eigen::Vector3d gradient = equations.gradient + prior * difference(pose, predicted.pose);
     const Eigen::LDLT<Eigen::Matrix3d> solver(information);
     const Eigen::Vector3d change = solver.solve(gradient);
     correction.robot_in_local.covariance = solver.solve(Eigen::Matrix3d::Identity());
@@ -173,18 +171,22 @@ Registration register_walls(const std::vector<Wall>& sighted, const std::vector<
 
   Correction correction{predicted, std::nullopt};
   std::vector<Match> matches;
+  // All walls that agree on a slip look like outliers at first: doubt comes by and by.
+  double outlier_sigmas =
+      parameters.outlier_sigmas * std::pow(parameters.annealing, parameters.rounds - 1);
   for (int round = 0; round < parameters.rounds; ++round) {
     // The gate follows what is still uncertain: the prediction first, then the correction.
     std::vector<Wall> in_local;
     in_local.reserve(sighted.size());
     for (const Wall& wall : sighted)
-      in_local.push_back(transform(correction.robot_in_local.pose,
-                                   correction.robot_in_local.covariance, wall));
-    matches = match_walls(in_local, known, known_lines,
-                          correction.robot_in_local.pose.location(), parameters.same_wall);
+      in_local.push_back(
+          transform(correction.robot_in_local.pose, correction.robot_in_local.covariance, wall));
+    matches = match_walls(in_local, known, known_lines, correction.robot_in_local.pose.location(),
+                          parameters.same_wall);
     if (matches.empty()) return unregistered;
     correction = correct(predicted, correction.robot_in_local.pose, sighted, known, known_lines,
-                         matches, parameters);
+                         matches, outlier_sigmas, parameters);
+    outlier_sigmas /= parameters.annealing;
   }
 
   const PoseEstimate& corrected = correction.robot_in_local;

@@ -19,18 +19,23 @@ struct OdometryNoise {
   double translation = 0.05;  ///< [m / sqrt(m)] after one metre; larger trusts the walls more
   double heading = 0.05;      ///< [rad / sqrt(rad)] after turning by one radian
   double heading_by_translation = 0.03;  ///< [rad / sqrt(m)] after driving one metre
-  double still = 0.002;       ///< [m and rad / sqrt(s)] with time alone
+  double still = 0.002;                  ///< [m and rad / sqrt(s)] with time alone
 };
 
 struct RegistrationParameters {
   OdometryNoise odometry;
-  SameWallParameters same_wall{.offset = 0.1, .angle = 0.1, .sigmas = 3.0, .max_offset = 0.35,
-                               .max_angle = 0.35, .max_gap = 0.0};  ///< what may be matched
-  int rounds = 2;             ///< of matching anew
-  int iterations = 4;         ///< of least squares in a round
-  double outlier_sigmas = 2.0;       ///< a line this far off counts half
-  double max_correction = 0.4;       ///< [m] a larger one is not believed
-  double max_heading_correction = 0.3;  ///< [rad] nor is this
+  SameWallParameters same_wall{.offset = 0.1,
+                               .angle = 0.1,
+                               .sigmas = 3.0,
+                               .max_offset = 0.35,
+                               .max_angle = 0.35,
+                               .max_gap = 0.0};  ///< what may be matched
+  int rounds = 2;                                ///< of matching anew
+  int iterations = 4;                            ///< of least squares in a round
+  double outlier_sigmas = 2.0;                   ///< a line this far off counts half
+  double annealing = 10.0;                       ///< the round before doubts so many times less
+  double max_correction = 0.4;                   ///< [m] a larger one is not believed
+  double max_heading_correction = 0.3;           ///< [rad] nor is this
   double min_agreement = 0.5;        ///< share of matched length that has to fit afterwards
   double unobservable_sigma = 0.05;  ///< [m] a direction in which the walls alone would leave
                                      ///< more is ruled by odometry

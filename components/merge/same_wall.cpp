@@ -63,10 +63,9 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
       allowed(parameters.offset, parameters.sigmas, variance, parameters.max_offset);
   if (difference.offset > max_offset) return std::nullopt;
 
-  difference.score = square(difference.offset / max_offset) +
-                     square(difference.angle / max_angle) +
-                     (difference.gap > 0.0 ? 1.0 + square(difference.gap / parameters.max_gap)
-                                           : 0.0);
+  difference.score =
+      square(difference.offset / max_offset) + square(difference.angle / max_angle) +
+      (difference.gap > 0.0 ? 1.0 + square(difference.gap / parameters.max_gap) : 0.0);
   return difference;
 }
 

@@ -9,13 +9,13 @@
 namespace perceptor::merge {
 
 struct SameWallParameters {
-  double offset = 0.05;       ///< [m] walls this close are one however sharp they are; larger
-                              ///< loses a flat cabinet before a wall, smaller makes doubles
-  double angle = 0.09;        ///< [rad] the same of their angle
-  double sigmas = 3.0;        ///< this many standard deviations are added to both
-  double max_offset = 0.15;   ///< [m] however uncertain they are
-  double max_angle = 0.35;    ///< [rad] however uncertain they are
-  double max_gap = 0.3;       ///< [m] pieces further apart stay two: less than any doorway
+  double offset = 0.05;      ///< [m] walls this close are one however sharp they are; larger
+                             ///< loses a flat cabinet before a wall, smaller makes doubles
+  double angle = 0.09;       ///< [rad] the same of their angle
+  double sigmas = 3.0;       ///< this many standard deviations are added to both
+  double max_offset = 0.15;  ///< [m] however uncertain they are
+  double max_angle = 0.35;   ///< [rad] however uncertain they are
+  double max_gap = 0.3;      ///< [m] pieces further apart stay two: less than any doorway
 };
 
 /// How far two walls differ, the longer one giving the line.

@@ -65,8 +65,7 @@ std::optional<Interval> passed_through(const Segment& screen, const Vector2& las
     return laser_along + target_along / reach;
   };
   const auto [from, to] = std::minmax({passes_at(part.from), passes_at(part.to)});
-  if (to - from < std::min(parameters.min_width, screen_length / 2.0 - margin))
-    return std::nullopt;
+  if (to - from < std::min(parameters.min_width, screen_length / 2.0 - margin)) return std::nullopt;
   return Interval{from, to};
 }
 

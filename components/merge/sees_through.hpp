@@ -10,10 +10,10 @@
 namespace perceptor::merge {
 
 struct SeesThroughParameters {
-  double behind = 0.2;      ///< [m] rays must end this far behind the wall's line; larger is
-                            ///< safer against errors of the pose, and slower to see a change
-  double end_margin = 0.1;  ///< [m] rays this near a wall's end say nothing about it
-  double min_width = 0.1;   ///< [m] of the wall that must be passed through at once
+  double behind = 0.2;        ///< [m] rays must end this far behind the wall's line; larger is
+                              ///< safer against errors of the pose, and slower to see a change
+  double end_margin = 0.1;    ///< [m] rays this near a wall's end say nothing about it
+  double min_width = 0.1;     ///< [m] of the wall that must be passed through at once
   double min_distance = 0.1;  ///< [m] of the laser from the wall's line: not along it
 };
 

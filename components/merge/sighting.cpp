@@ -17,10 +17,11 @@ bool is_wall(const Object& object) {
 WallEnd end_of(const Point& point, const Vector2& along, const SightingParameters& parameters) {
   WallEnd end;
   end.method = point.method;
-  end.variance = point.covariance ? along.dot(*point.covariance * along) : 0.0;
-  if (end.variance <= 0.0) end.variance = square(parameters.end_sigma);
-  end.radius = point.radius > 0.0 ? std::min(point.radius, parameters.max_radius)
-                                  : parameters.radius;
+  end.variance =
+      square(parameters.end_sigma) + (point.covariance ? along.dot(*point.covariance * along)
+                                                       : square(parameters.unknown_end_sigma));
+  end.radius =
+      point.radius > 0.0 ? std::min(point.radius, parameters.max_radius) : parameters.radius;
   return end;
 }
 
@@ -46,8 +47,8 @@ Wall sighted_wall(const Map& current, const Object& object, const Vector2& viewp
   wall.covariance = line_covariance(object, parameters);
   const Vector2 along = direction(wall.segment);
   for (const std::size_t end : {kTail, kHead})
-    wall.ends[end] = end_of(current.points[static_cast<std::size_t>(object.points[end])], along,
-                            parameters);
+    wall.ends[end] =
+        end_of(current.points[static_cast<std::size_t>(object.points[end])], along, parameters);
   wall.support = object.support;
   wall.first_seen = utime;
   wall.last_seen = utime;

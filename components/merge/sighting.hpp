@@ -9,16 +9,16 @@
 namespace perceptor::merge {
 
 struct SightingParameters {
-  double min_length = 0.05;      ///< [m] shorter walls are not taken in
-  double offset_sigma = 0.002;   ///< [m] added to the scan's own: what no scan can know of its
-                                 ///< mounting and timing; larger: each scan counts for less
-  double angle_sigma = 0.002;    ///< [rad] the same of a wall's angle
+  double min_length = 0.05;     ///< [m] shorter walls are not taken in
+  double offset_sigma = 0.002;  ///< [m] added to the scan's own: what no scan can know of its
+                                ///< mounting and timing; larger: each scan counts for less
+  double angle_sigma = 0.002;   ///< [rad] the same of a wall's angle
+  double end_sigma = 0.01;      ///< [m] the same of an end's place along its wall
   double unknown_offset_sigma = 0.02;  ///< [m] of a wall that comes without covariance
   double unknown_angle_sigma = 0.05;   ///< [rad] of such a wall
-  double end_sigma = 0.02;       ///< [m] of an end's place along its wall, where the scan gives
-                                 ///< none; an end known this well has weight 1
-  double radius = 0.2;           ///< [m] of an end to which the scan gives none
-  double max_radius = 0.3;       ///< [m] no end reaches further for a corner
+  double unknown_end_sigma = 0.02;     ///< [m] of an end that comes without covariance
+  double radius = 0.2;                 ///< [m] of an end to which the scan gives none
+  double max_radius = 0.3;             ///< [m] no end reaches further for a corner
 };
 
 /// The walls of a scan, robot frame, oriented with free space on their left. In an order that

@@ -27,7 +27,7 @@ struct WallEnd {
 };
 
 struct EndParameters {
-  double min_sigma = 0.002;  ///< [m] no end is known better; larger lets one bad scan move a
+  double min_sigma = 0.001;  ///< [m] no end is known better; larger lets one bad scan move a
                              ///< corner
   double min_radius = 0.1;   ///< [m] the radius of a well known end shrinks to this
 };
@@ -38,9 +38,9 @@ struct Wall {
   /// Of the line at the middle of the segment: offset to the left [m], angle [rad].
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   std::array<WallEnd, 2> ends;
-  std::int32_t support = 0;  ///< beams behind it in the last scan that saw it
-  int sightings = 1;         ///< scans that saw it
-  double weight = 1.0;       ///< sightings, bounded, halved by each scan that sees through it
+  std::int32_t support = 0;     ///< beams behind it in the last scan that saw it
+  int sightings = 1;            ///< scans that saw it
+  double weight = 1.0;          ///< sightings, bounded, halved by each scan that sees through it
   std::int64_t first_seen = 0;  ///< [us]
   std::int64_t last_seen = 0;   ///< [us]
   bool confirmed = false;       ///< else tentative, and not published

@@ -26,8 +26,8 @@ Step step_between(const ResampledPoint& from, const ResampledPoint& to) {
 }
 
 bool turns(const Step& mean, const Step& next, const ClusterParameters& cluster) {
-  const double turn =
-      std::abs(std::atan2(cross(mean.direction, next.direction), mean.direction.dot(next.direction)));
+  const double turn = std::abs(
+      std::atan2(cross(mean.direction, next.direction), mean.direction.dot(next.direction)));
   const double noise = cluster.turn_sigmas * std::sqrt(mean.variance + next.variance);
   return turn > std::max(cluster.min_turn, noise);
 }

@@ -81,8 +81,8 @@ double distance_between_beams(const Beams& beams, const Beam& beam, const Vector
   return beam.range * beams.increment * stretched;
 }
 
-Beams usable_beams(const LaserScan& scan, const Twist& twist,
-                   const std::vector<Vector2>& footprint, const ScanParameters& parameters) {
+Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<Vector2>& footprint,
+                   const ScanParameters& parameters) {
   const std::vector<BeamEnd> ends = beam_ends(scan, twist);
   Beams usable;
   usable.grazing = 1.0 / std::sin(parameters.gap.min_incidence);
@@ -106,8 +106,8 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist,
   remove_strays(usable);
   usable.count = usable.beams.size();
   const double around = *largest - *smallest + 2.0 * usable.increment;
-  usable.is_circle = usable.count > 2 && around >= 2.0 * std::numbers::pi &&
-                     !is_gap(usable, usable.count - 1, 0);
+  usable.is_circle =
+      usable.count > 2 && around >= 2.0 * std::numbers::pi && !is_gap(usable, usable.count - 1, 0);
   if (usable.is_circle) {
     begin_at_farthest(usable.beams);
     usable.beams.insert(usable.beams.end(), usable.beams.begin(), usable.beams.end());

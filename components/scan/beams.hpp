@@ -11,11 +11,11 @@ namespace perceptor {
 
 /// One beam that returned from something that is not the robot.
 struct Beam {
-  Vector2 location;     ///< [m] where it ends, robot frame at the scan's utime
-  Vector2 along;        ///< unit vector from the laser to there
-  double range = 0.0;   ///< [m]
-  double sigma = 0.0;   ///< [m] standard deviation of the range
-  double bearing = 0.0; ///< [rad] as measured, laser frame
+  Vector2 location;      ///< [m] where it ends, robot frame at the scan's utime
+  Vector2 along;         ///< unit vector from the laser to there
+  double range = 0.0;    ///< [m]
+  double sigma = 0.0;    ///< [m] standard deviation of the range
+  double bearing = 0.0;  ///< [rad] as measured, laser frame
 };
 
 /// Beams counter-clockwise. Where the sweep closes a circle it begins at its farthest beam,
@@ -39,8 +39,8 @@ struct Beams {
 /// Keeps the ends of beams that returned from outside `footprint` (a polygon in the robot
 /// frame; fewer than three corners: no footprint), without beams that jump away from both
 /// their neighbours while those belong together.
-Beams usable_beams(const LaserScan& scan, const Twist& twist,
-                   const std::vector<Vector2>& footprint, const ScanParameters& parameters);
+Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<Vector2>& footprint,
+                   const ScanParameters& parameters);
 
 /// Whether a wall cannot go on from beam i to the later beam j. On a wall that is hit at an
 /// angle of at least `min_incidence`, neighbours are no further apart than the law of sines

@@ -57,8 +57,8 @@ std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
 std::optional<std::size_t> spike(const Cut& cut, const Beams& beams,
                                  const ScanParameters& parameters) {
   const double jump = beams[cut.next()].range - beams[cut.last()].range;
-  const bool is_jump = is_gap(beams, cut.last(), cut.next()) &&
-                       std::abs(jump) >= parameters.corner.spike_jump;
+  const bool is_jump =
+      is_gap(beams, cut.last(), cut.next()) && std::abs(jump) >= parameters.corner.spike_jump;
   if (!is_jump) return std::nullopt;
   return jump > 0.0 ? cut.last() : cut.next();
 }
@@ -126,7 +126,8 @@ Corners find_corners(const std::vector<Run>& runs, std::vector<std::optional<Wal
                      const Beams& beams, const ScanParameters& parameters) {
   Corners corners;
   corners.of_walls.resize(runs.size());
-  const std::size_t cuts = beams.is_circle ? runs.size() : runs.size() - std::min<std::size_t>(runs.size(), 1);
+  const std::size_t cuts =
+      beams.is_circle ? runs.size() : runs.size() - std::min<std::size_t>(runs.size(), 1);
   for (std::size_t i = 0; i < cuts; ++i) {
     const std::size_t j = (i + 1) % runs.size();
     Cut cut{.before = runs[i], .after = j > i ? runs[j] : past_seam(runs[j], beams)};

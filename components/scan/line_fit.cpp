@@ -98,8 +98,8 @@ double offset(const Line& line, const Vector2& point) {
 }
 
 Vector2 intersection(const Line& first, const Line& second) {
-  const double along =
-      cross(second.point - first.point, second.direction) / cross(first.direction, second.direction);
+  const double along = cross(second.point - first.point, second.direction) /
+                       cross(first.direction, second.direction);
   return first.point + along * first.direction;
 }
 

@@ -15,8 +15,8 @@ namespace perceptor {
 /// Weighted sums over some beams, seen from the laser. Those of two runs add up.
 struct Moments {
   double beams = 0.0;
-  double w = 0.0;   ///< [-] sum of (range / sigma)^2
-  double x = 0.0;   ///< [m] of w x, and so on
+  double w = 0.0;  ///< [-] sum of (range / sigma)^2
+  double x = 0.0;  ///< [m] of w x, and so on
   double y = 0.0;
   double xx = 0.0;  ///< [m^2]
   double xy = 0.0;

@@ -17,8 +17,9 @@ struct NoiseParameters {
 
 /// Where the wall cannot go on from one beam to the next.
 struct GapParameters {
-  double min_incidence = 0.087;  ///< [rad] between beam and wall; less bridges larger jumps in range
-  double max_hole = 0.3;         ///< [m] of wall that no beam returned from; more bridges doorways
+  double min_incidence =
+      0.087;              ///< [rad] between beam and wall; less bridges larger jumps in range
+  double max_hole = 0.3;  ///< [m] of wall that no beam returned from; more bridges doorways
 };
 
 /// How corners are first found.
@@ -31,10 +32,12 @@ struct ClusterParameters {
 
 /// What makes a wall.
 struct WallParameters {
-  double merge_chi2 = 18.0;        ///< [-] rise of chi-square at which two lines are better than one
-  double bend = 0.006;             ///< [m] rms by which a long wall and the laser may be crooked; more
-                                   ///< keeps such walls whole, less sees flatter corners
-  double support_sigmas = 3.5;     ///< [-] a beam further from the line does not support it
+  double merge_chi2 = 18.0;     ///< [-] rise of chi-square at which two lines are better than one
+  double bend = 0.008;          ///< [m] rms by which a long wall and the laser may be crooked; more
+                                ///< keeps such walls whole, less sees flatter corners
+  double max_excess = 4.0;      ///< [-] variance of a bumpy wall's beams over what the noise says;
+                                ///< more takes curved things for walls
+  double support_sigmas = 3.5;  ///< [-] a beam further from the line does not support it
   double min_support_share = 0.7;  ///< [-] of the beams between its ends; less takes curved things
   int min_beams = 6;               ///< beams that support it
   double min_length = 0.2;         ///< [m]
@@ -47,7 +50,7 @@ struct CornerParameters {
   double reach = 0.1;              ///< [m] from a wall's last beam to where it meets its neighbour
   double spike_jump = 0.15;        ///< [m] in range; less takes more outer corners
   double vector_angle = 0.5;       ///< [rad] between neighbours, for a corner without walls
-  int min_beams = 5;               ///< on the near side of a corner without a wall
+  int min_beams = 6;               ///< on the near side of a corner without a wall
   double connection_radius = 0.3;  ///< [m] within which an end may be connected to another's
 };
 

@@ -18,7 +18,7 @@ constexpr std::size_t kTrials = 32;
 /// How far around the first cut the best one is looked for, in spacings of resampled points.
 constexpr double kWindowSpacings = 3.0;
 
-/// Strays between two pieces of one wall: more beams than these are something else.
+/// Beams between two pieces of one wall, or at a corner: more than these are something else.
 constexpr std::size_t kMostStrays = 5;
 
 double cost(const Moments& first, const Moments& second, const NoiseParameters& noise) {
@@ -122,14 +122,16 @@ void place_cuts(std::vector<Run>& runs, const Beams& beams, const PrefixMoments&
       place_cut(runs[i], runs[i + 1], beams, sums, parameters);
 }
 
-void remove_crumbs(std::vector<Run>& runs) {
-  std::erase_if(runs, [](const Run& run) { return run.size() < kFewestBeams; });
+void remove_strays(std::vector<Run>& runs) {
+  std::erase_if(runs, [](const Run& run) { return run.size() <= kMostStrays; });
 }
 
 /// Whether what lies between two runs is small enough to be bridged.
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
+  const std::size_t last = first.end - 1;
   const std::size_t strays = second.begin - first.end;
-  return strays <= kMostStrays && !is_gap(beams, first.end - 1, second.begin);
+  const double hole = distance(beams[last].location, beams[second.begin].location);
+  return strays <= kMostStrays && (hole <= beams.max_hole || !is_gap(beams, last, second.begin));
 }
 
 bool is_one_wall(const Beams& beams, const Run& first, const Run& second,
@@ -208,13 +210,13 @@ bool one_line_explains(const Moments& first, const Moments& second,
   const double apart = cost(first, second, parameters.noise);
   const double degrees_of_freedom = std::max(1.0, both.beams - 4.0);
   const double bend = both.beams * parameters.wall.bend * parameters.wall.bend / together.variance;
-  // Where even two lines fit worse than the noise says, the noise is larger than said.
-  const double excess = std::max(1.0, apart / degrees_of_freedom);
+  // Where even two lines fit worse than the noise says, the wall is bumpy.
+  const double excess = std::clamp(apart / degrees_of_freedom, 1.0, parameters.wall.max_excess);
   return (together.chi_square - apart) / excess < parameters.wall.merge_chi2 + bend;
 }
 
 bool adjoin(const Beams& beams, const Run& first, const Run& second) {
-  return first.end == second.begin && !is_gap(beams, first.end - 1, second.begin);
+  return second.begin - first.end <= kMostStrays && !is_gap(beams, first.end - 1, second.begin);
 }
 
 std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixMoments& sums,
@@ -222,7 +224,8 @@ std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixM
   turn(runs, beams);
   place_cuts(runs, beams, sums, parameters);
   runs = split_where_bent(runs, sums, parameters);
-  remove_crumbs(runs);
+  runs = merge_neighbours(runs, beams, parameters);
+  remove_strays(runs);
   runs = merge_neighbours(runs, beams, parameters);
   place_cuts(runs, beams, sums, parameters);
   return runs;

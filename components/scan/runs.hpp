@@ -30,7 +30,7 @@ std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums);
 bool one_line_explains(const Moments& first, const Moments& second,
                        const ScanParameters& parameters);
 
-/// Whether the second run begins where the first ends, without a gap.
+/// Whether the second run begins where the first ends, a few strays apart, without a gap.
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
 /// The same run, one turn later.

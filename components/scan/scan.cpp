@@ -41,8 +41,7 @@ Point make_point(const WallEnd& end, CornerMethod method, double radius) {
 }
 
 void add_wall(Map& map, const Wall& wall, const WallCorners& corners, double radius) {
-  const Index index =
-      add_segment(map, {wall.first.location, wall.last.location}, ObjectType::wall);
+  const Index index = add_segment(map, {wall.first.location, wall.last.location}, ObjectType::wall);
   Object& object = map.objects[static_cast<std::size_t>(index)];
   object.free_side = FreeSide::left;
   object.support = wall.support;

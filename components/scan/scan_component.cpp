@@ -57,6 +57,9 @@ void describe(config::Fields& fields, WallParameters& p) {
   fields.number("bend", p.bend, {0.0, 0.1},
                 "[m] rms by which a long wall and the laser may be crooked; more keeps such walls "
                 "whole, less sees flatter corners");
+  fields.number("max_excess", p.max_excess, {1.0, 100.0},
+                "[-] variance of a bumpy wall's beams over what the noise says; more takes curved "
+                "things for walls");
   fields.number("support_sigmas", p.support_sigmas, {1.0, 10.0},
                 "[-] a beam further from the line does not support it");
   fields.number("min_support_share", p.min_support_share, {0.0, 1.0},
@@ -114,18 +117,18 @@ ScanComponent::ScanComponent(const ScanConfig& config, Bus& bus)
       parameters_(config.scan),
       footprint_(corners_of(config.robot.footprint)),
       aligner_(config.aligner) {
-  bus_.subscribe<pico::laser_scan_t>(
-      channel::laser, kLaserCapacity, [this](const pico::laser_scan_t& scan, bool began_anew) {
-        aligner_.add_item(stamp_of(scan), began_anew, scan);
-        drain();
-      });
-  bus_.subscribe<pico::position_t>(
-      channel::position, kPositionCapacity,
-      [this](const pico::position_t& position, bool began_anew) {
-        aligner_.add_position(stamp_of(position), began_anew, position.zero_utime,
-                              to_model(position.robot_in_zero));
-        drain();
-      });
+  bus_.subscribe<pico::laser_scan_t>(channel::laser, kLaserCapacity,
+                                     [this](const pico::laser_scan_t& scan, bool began_anew) {
+                                       aligner_.add_item(stamp_of(scan), began_anew, scan);
+                                       drain();
+                                     });
+  bus_.subscribe<pico::position_t>(channel::position, kPositionCapacity,
+                                   [this](const pico::position_t& position, bool began_anew) {
+                                     aligner_.add_position(stamp_of(position), began_anew,
+                                                           position.zero_utime,
+                                                           to_model(position.robot_in_zero));
+                                     drain();
+                                   });
 }
 
 void ScanComponent::drain() {
@@ -140,8 +143,7 @@ void ScanComponent::drain() {
 
 void ScanComponent::publish_map(const LaserAligner::Paired& paired) {
   const LaserScan scan = to_model(paired.item);
-  const CurrentMap current =
-      extract_walls(scan, paired.position.twist, footprint_, parameters_);
+  const CurrentMap current = extract_walls(scan, paired.position.twist, footprint_, parameters_);
   bus_.count(channel::laser, "beam without return", static_cast<std::int64_t>(current.no_return));
   bus_.count(channel::laser, "beam on the robot itself",
              static_cast<std::int64_t>(current.in_footprint));

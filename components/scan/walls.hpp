@@ -17,7 +17,7 @@ struct WallEnd {
 
 /// Directed counter-clockwise as seen from the laser: seen from its left.
 struct Wall {
-  Line line;                        ///< through its middle
+  Line line;  ///< through its middle
   WallEnd first;
   WallEnd last;
   Eigen::Matrix2d line_covariance;  ///< at its middle: perpendicular offset [m], angle [rad]

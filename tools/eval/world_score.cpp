@@ -9,7 +9,7 @@
 namespace perceptor {
 namespace {
 
-constexpr std::size_t kTruthsKept = 400;  // ten seconds of scans: no map comes later
+constexpr std::size_t kKept = 400;  // ten seconds of scans: truth and map stand closer
 
 /// The straight pieces of an object, the closing one included.
 void append_edges(const Map& map, const Object& object, std::vector<Segment>& edges) {
@@ -20,6 +20,10 @@ void append_edges(const Map& map, const Object& object, std::vector<Segment>& ed
     edges.push_back({location(i), location(i + 1)});
   if (object.connection == Connection::closed && object.points.size() > 2)
     edges.push_back({location(object.points.size() - 1), location(0)});
+}
+
+bool same_scan(const pico::truth_t& truth, const pico::map_t& map) {
+  return truth.session == map.session && truth.seq == map.seq;
 }
 
 PoseError error_between(const Position& estimate, const Position& truth) {
@@ -38,13 +42,20 @@ void WorldScorer::take(const pico::truth_t& truth) {
                               to_model(truth.robot_in_world).location());
   }
   truths_.push_back(truth);
-  if (truths_.size() > kTruthsKept) truths_.pop_front();
+  if (truths_.size() > kKept) truths_.pop_front();
+
+  const auto map = std::ranges::find_if(early_, [&](const auto& m) { return same_scan(truth, m); });
+  if (map == early_.end()) return;
+  compare(truth, *map);
+  early_.erase(early_.begin(), map + 1);
 }
 
 void WorldScorer::take_world(const pico::map_t& message) {
   const Map world = to_model(message);
-  walls_.clear();
-  openings_.clear();
+  if (message.part == 0) {
+    walls_.clear();
+    openings_.clear();
+  }
   for (const Object& object : world.objects) {
     const bool is_open_door = object.type == ObjectType::door && object.reason != "shut";
     if (is_open_door)
@@ -56,11 +67,19 @@ void WorldScorer::take_world(const pico::map_t& message) {
 }
 
 bool WorldScorer::is_on_a_wall(const Segment& found) const {
-  return std::ranges::any_of(walls_, [&](const Segment& wall) {
-    return length(wall) > 0.0 && smallest_relative_angle(wall, found) < parameters_.max_angle &&
-           distance(wall, found.a) < parameters_.max_offset &&
-           distance(wall, found.b) < parameters_.max_offset;
-  });
+  const auto on_one_that_runs_alike = [&](const Vector2& point) {
+    return std::ranges::any_of(walls_, [&](const Segment& wall) {
+      return length(wall) > 0.0 && smallest_relative_angle(wall, found) < parameters_.max_angle &&
+             distance(wall, point) < parameters_.max_offset;
+    });
+  };
+  // A found wall may cover several pieces of the world that lie in one line.
+  const auto steps = static_cast<int>(std::ceil(length(found) / parameters_.step));
+  for (int i = 0; i <= steps; ++i) {
+    const double share = steps > 0 ? static_cast<double>(i) / steps : 0.0;
+    if (!on_one_that_runs_alike(found.a + share * (found.b - found.a))) return false;
+  }
+  return true;
 }
 
 std::optional<std::size_t> WorldScorer::opening_at(const Segment& found) const {
@@ -69,13 +88,17 @@ std::optional<std::size_t> WorldScorer::opening_at(const Segment& found) const {
   return std::nullopt;
 }
 
-void WorldScorer::take_identified(const pico::map_t& message) {
-  const auto truth = std::ranges::find_if(truths_, [&](const pico::truth_t& t) {
-    return t.session == message.session && t.seq == message.seq;
-  });
-  if (truth == truths_.end() || walls_.empty()) return;
+void WorldScorer::take_identified(const pico::map_t& map) {
+  const auto truth =
+      std::ranges::find_if(truths_, [&](const auto& t) { return same_scan(t, map); });
+  if (truth != truths_.end()) return compare(*truth, map);
+  early_.push_back(map);
+  if (early_.size() > kKept) early_.pop_front();
+}
 
-  const Position robot_in_world = to_model(truth->robot_in_world);
+void WorldScorer::compare(const pico::truth_t& truth, const pico::map_t& message) {
+  if (walls_.empty()) return;
+  const Position robot_in_world = to_model(truth.robot_in_world);
   const Map map = to_model(message);
   ++score_.maps;
   for (const Object& object : map.objects) {

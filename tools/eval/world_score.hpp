@@ -18,7 +18,8 @@ namespace perceptor {
 
 struct WorldScoreParameters {
   double max_angle = 0.087;       ///< [rad] between a found wall and the true one
-  double max_offset = 0.10;       ///< [m] of a found wall's ends from the true one
+  double max_offset = 0.10;       ///< [m] of any point of a found wall from a true one
+  double step = 0.05;             ///< [m] between the points of a found wall that are tried
   double max_door_offset = 0.25;  ///< [m] between the middles of a found door and the true one
 };
 
@@ -52,6 +53,7 @@ class WorldScorer {
   std::optional<WorldScore> score() const;
 
  private:
+  void compare(const pico::truth_t& truth, const pico::map_t& map);
   bool is_on_a_wall(const Segment& found_in_world) const;
   std::optional<std::size_t> opening_at(const Segment& found_in_world) const;
 
@@ -61,6 +63,7 @@ class WorldScorer {
   std::vector<Segment> openings_;
   std::vector<bool> opening_found_;
   std::deque<pico::truth_t> truths_;  ///< the last ones
+  std::deque<pico::map_t> early_;     ///< maps that stand before their truth in the log
   std::optional<Position> first_in_world_;  ///< where the session began
   std::int64_t session_ = 0;
 };

@@ -99,16 +99,12 @@ void check_data(const ChannelRecord& record, bool is_source, ChannelReport& repo
 }  // namespace
 
 SessionRecord& ChannelRecord::add(std::int64_t session, std::int64_t seq) {
-  // The newest is nearly always the one.
-  auto record = std::find_if(sessions.rbegin(), sessions.rend(),
-                             [session](const auto& s) { return s.session == session; });
-  if (record == sessions.rend()) {
-    sessions.emplace_back().session = session;
-    record = sessions.rbegin();
-  }
-  ++record->count;
-  if (!record->seqs.add(seq)) ++record->repeated;
-  return *record;
+  const auto [known, is_new] = session_index.try_emplace(session, sessions.size());
+  if (is_new) sessions.emplace_back().session = session;
+  SessionRecord& record = sessions[known->second];
+  ++record.count;
+  if (!record.seqs.add(seq)) ++record.repeated;
+  return record;
 }
 
 ChannelKind kind_of(std::string_view name) {

@@ -27,7 +27,8 @@ struct ChannelRecord {
   std::int64_t first_stamp = 0;  ///< [us]
   std::int64_t last_stamp = 0;   ///< [us]
   std::map<std::string, std::int64_t> undecodable;
-  std::vector<SessionRecord> sessions;  ///< in order of appearance
+  std::vector<SessionRecord> sessions;                ///< in order of appearance
+  std::map<std::int64_t, std::size_t> session_index;  ///< session -> index into sessions
   PublisherClaims publishers;
 
   /// Adds a message that could be decoded; gives its session.

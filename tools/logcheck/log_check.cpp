@@ -27,6 +27,11 @@ Stamp stamp_in(std::span<const std::uint8_t> bytes) {
   return {int64_at(8), int64_at(16), int64_at(24)};
 }
 
+bool is_data_of_ours(std::string_view channel) {
+  const ChannelKind kind = kind_of(channel);
+  return kind == ChannelKind::source || kind == ChannelKind::computed;
+}
+
 }  // namespace
 
 void LogCheck::add(const LogEvent& event) {
@@ -80,10 +85,11 @@ void LogCheck::add_status(ChannelRecord& channel, const LogEvent& event) {
   const Boot boot{status.component, status.boot};
   const auto [known, is_first_status] = boots_.try_emplace(boot);
   if (is_first_status)
-    for (const auto& [name, record] : channels_) known->second[name] = record.count;
+    for (const auto& [name, record] : channels_)
+      if (is_data_of_ours(name)) known->second[name] = record.count;
   for (const pico::status_output_t& output : status.outputs) {
     // Announced, and nothing sent: another may be the publisher.
-    if (output.published == 0) continue;
+    if (output.published == 0 || !is_data_of_ours(output.channel)) continue;
     ChannelRecord& out = channels_[output.channel];
     Claim claim;
     claim.component = status.component;

@@ -46,16 +46,17 @@ Counts replay(LogReader& reader, LogWriter& writer, const PipelineConfig& config
     if (!is_input(event->channel)) continue;
 
     stamp = event->timestamp;
+    const std::int64_t utime = utime_in(event->data);
     if (counts.fed++ == 0) {
-      counts.first_utime = utime_in(event->data);
-      pipeline.publish_status(counts.first_utime, false);
-      next_status = stamp + kMicrosecondsPerSecond;
+      counts.first_utime = utime;
+      pipeline.publish_status(utime, false);
+      next_status = utime + kMicrosecondsPerSecond;
     }
     pipeline.feed(event->channel, event->data);
-    counts.last_utime = utime_in(event->data);
-    if (stamp >= next_status) {
-      pipeline.publish_status(counts.last_utime, false);
-      next_status = stamp + kMicrosecondsPerSecond;
+    counts.last_utime = utime;
+    if (utime >= next_status) {
+      pipeline.publish_status(utime, false);
+      next_status = utime + kMicrosecondsPerSecond;
     }
   }
   pipeline.publish_status(counts.last_utime, true);

@@ -1,7 +1,7 @@
 #include "components/bridge/sim/base.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <optional>
 
 namespace perceptor::sim {
@@ -70,18 +70,33 @@ void Base::advance(const Twist& wished, double seconds, const Obstacles& obstacl
     return;
   }
   in_collision_ = true;
-  const Vector2 along = robot_in_world_.location() + *surface * surface->dot(step);
-  const std::array<Position, 2> ways_out = {
-      Position{along.x(), along.y(), robot_in_world_.a},
-      Position{robot_in_world_.x, robot_in_world_.y, goal.a},
-  };
-  for (const Position& way_out : ways_out) {
-    if (way_out == robot_in_world_ || surface_at(way_out)) continue;
-    twist_ = twist_between(robot_in_world_, way_out, seconds);
-    robot_in_world_ = way_out;
-    return;
+  const auto is_free = [&](const Position& position) { return !surface_at(position); };
+  const Position before = robot_in_world_;
+  robot_in_world_ = way_out(goal, *surface, is_free);
+  twist_ = twist_between(before, robot_in_world_, seconds);
+}
+
+Position Base::way_out(const Position& goal, const Vector2& surface,
+                       const std::function<bool(const Position&)>& is_free) const {
+  // Along the surface that is touched, or along an own side, where a corner touches that.
+  std::vector<Vector2> slides = {surface};
+  for (const Segment& side : edges(transform(robot_in_world_, parameters_.footprint)))
+    slides.push_back(direction(side));
+
+  const Vector2 step = goal.location() - robot_in_world_.location();
+  const Position turned{robot_in_world_.x, robot_in_world_.y, goal.a};
+  Position best = is_free(turned) ? turned : robot_in_world_;
+  double best_progress = 0.0;
+  for (const Vector2& slide : slides) {
+    const double progress = std::abs(slide.dot(step));
+    if (progress <= best_progress) continue;
+    const Vector2 location = robot_in_world_.location() + slide * slide.dot(step);
+    const Position candidate{location.x(), location.y(), robot_in_world_.a};
+    if (!is_free(candidate)) continue;
+    best = candidate;
+    best_progress = progress;
   }
-  twist_ = {};
+  return best;
 }
 
 bool Base::would_touch(const Segment& segment) const {

@@ -2,6 +2,8 @@
 /// touches.
 #pragma once
 
+#include <functional>
+
 #include "common/geometry/twist.hpp"
 #include "components/bridge/sim/obstacles.hpp"
 
@@ -35,6 +37,9 @@ class Base {
 
  private:
   Twist next_twist(const Twist& wished, double seconds) const;
+  /// The step towards `goal` that is left where `surface` is in the way.
+  Position way_out(const Position& goal, const Vector2& surface,
+                   const std::function<bool(const Position&)>& is_free) const;
 
   BaseParameters parameters_;
   double reach_;  ///< [m] of the footprint's farthest corner

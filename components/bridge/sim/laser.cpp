@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "common/geometry/angle.hpp"
+
 namespace perceptor::sim {
 namespace {
 
@@ -18,15 +20,20 @@ constexpr double fan_angle = 0.25;
 /// Rounding of a sum of beam times, far below the time between two beams [s].
 constexpr double time_tolerance = 1e-9;
 
+/// As perceptor::cross, in place: it is asked some millions of times a second.
+inline double cross_of(const Vector2& a, const Vector2& b) {
+  return (a.x() * b.y()) - (a.y() * b.x());
+}
+
 /// Distance along the ray to a segment; infinite where it misses.
 double distance_along(const Vector2& origin, const Vector2& direction, const Segment& segment) {
   const Vector2 along = segment.b - segment.a;
   const Vector2 to_segment = segment.a - origin;
-  const double denominator = cross(direction, along);
+  const double denominator = cross_of(direction, along);
   if (denominator == 0.0) return infinity;
-  const double on_segment = cross(to_segment, direction) / denominator;
+  const double on_segment = cross_of(to_segment, direction) / denominator;
   if (on_segment < 0.0 || on_segment > 1.0) return infinity;
-  const double on_ray = cross(to_segment, along) / denominator;
+  const double on_ray = cross_of(to_segment, along) / denominator;
   return on_ray >= 0.0 ? on_ray : infinity;
 }
 
@@ -79,6 +86,7 @@ Laser::Laser(const LaserParameters& parameters, std::uint64_t seed)
 }
 
 void Laser::sweep(const Stretch& stretch, const Obstacles& obstacles) {
+  const Path path = laser_path(stretch);
   const double seconds_per_beam = time_increment(parameters_);
   const double radians_per_beam = angle_increment(parameters_);
   const auto beams = static_cast<std::size_t>(parameters_.beams);
@@ -94,47 +102,59 @@ void Laser::sweep(const Stretch& stretch, const Obstacles& obstacles) {
     const std::size_t first = ranges_.size();
     std::size_t last = first;
     while (last - first + 1 < beams_per_fan && is_in_stretch(last + 1)) ++last;
-    measure(first, last, stretch, obstacles);
+    measure(first, last, path, obstacles);
   }
 }
 
-Laser::Ray Laser::ray(std::size_t beam, const Stretch& stretch) const {
-  const double time = static_cast<double>(beam) * time_increment(parameters_);
-  const double fraction = (time - stretch.from) / (stretch.to - stretch.from);
-  const Position robot_in_world =
-      interpolate(stretch.robot_in_world_from, stretch.robot_in_world_to, fraction);
-  const Position laser_in_world = compose(robot_in_world, parameters_.laser_in_robot);
-  const double bearing =
-      parameters_.angle_min + (static_cast<double>(beam) * angle_increment(parameters_));
-  return {laser_in_world.location(), heading(laser_in_world.a + bearing)};
+Laser::Path Laser::laser_path(const Stretch& stretch) const {
+  const Position at_from = compose(stretch.robot_in_world_from, parameters_.laser_in_robot);
+  const Position at_to = compose(stretch.robot_in_world_to, parameters_.laser_in_robot);
+  return {stretch.from, stretch.to, at_from, at_to, angle_difference(at_from.a, at_to.a)};
 }
 
-void Laser::measure(std::size_t first, std::size_t last, const Stretch& stretch,
+Laser::Ray Laser::ray(std::size_t beam, const Path& path) const {
+  const auto number = static_cast<double>(beam);
+  const double time = number * time_increment(parameters_);
+  const double fraction = (time - path.from) / (path.to - path.from);
+  const Vector2 from = path.laser_at_from.location();
+  const Vector2 to = path.laser_at_to.location();
+  const double bearing = parameters_.angle_min + (number * angle_increment(parameters_));
+  return {from + (fraction * (to - from)),
+          heading(path.laser_at_from.a + (fraction * path.turn) + bearing)};
+}
+
+void Laser::measure(std::size_t first, std::size_t last, const Path& path,
                     const Obstacles& obstacles) {
   // The outer rays bound a fan that is much narrower than a half turn. What lies on the outer
   // side of one of them, seen from both ends of the laser's way, is hit by no ray between.
-  Ray lower = ray(first, stretch);
-  Ray upper = ray(last, stretch);
+  Ray lower = ray(first, path);
+  Ray upper = ray(last, path);
   const bool turns_faster_than_sweep = cross(lower.direction, upper.direction) < 0.0;
   if (turns_faster_than_sweep) std::swap(lower, upper);
-  const auto is_right_of_fan = [&](const Vector2& point) {
-    return cross(lower.direction, point - lower.origin) < 0.0 &&
-           cross(lower.direction, point - upper.origin) < 0.0;
+  const auto is_right_of_fan = [&](const Vector2& point, double margin) {
+    return cross(lower.direction, point - lower.origin) < -margin &&
+           cross(lower.direction, point - upper.origin) < -margin;
   };
-  const auto is_left_of_fan = [&](const Vector2& point) {
-    return cross(upper.direction, point - lower.origin) > 0.0 &&
-           cross(upper.direction, point - upper.origin) > 0.0;
+  const auto is_left_of_fan = [&](const Vector2& point, double margin) {
+    return cross(upper.direction, point - lower.origin) > margin &&
+           cross(upper.direction, point - upper.origin) > margin;
   };
-  std::vector<Segment> in_fan;
+  std::vector<Segment> segments;
   for (const Segment& segment : obstacles.segments) {
-    const bool misses = (is_right_of_fan(segment.a) && is_right_of_fan(segment.b)) ||
-                        (is_left_of_fan(segment.a) && is_left_of_fan(segment.b));
-    if (!misses) in_fan.push_back(segment);
+    const bool misses = (is_right_of_fan(segment.a, 0.0) && is_right_of_fan(segment.b, 0.0)) ||
+                        (is_left_of_fan(segment.a, 0.0) && is_left_of_fan(segment.b, 0.0));
+    if (!misses) segments.push_back(segment);
+  }
+  std::vector<Circle> legs;
+  for (const Circle& leg : obstacles.legs) {
+    const bool misses =
+        is_right_of_fan(leg.centre, leg.radius) || is_left_of_fan(leg.centre, leg.radius);
+    if (!misses) legs.push_back(leg);
   }
   for (std::size_t beam = first; beam <= last; ++beam) {
-    const Ray r = ray(beam, stretch);
+    const Ray r = ray(beam, path);
     ranges_.push_back(
-        static_cast<float>(reported(nearest_along(r.origin, r.direction, in_fan, obstacles.legs))));
+        static_cast<float>(reported(nearest_along(r.origin, r.direction, segments, legs))));
   }
 }
 

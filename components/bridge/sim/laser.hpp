@@ -69,9 +69,17 @@ class Laser {
     Vector2 origin;
     Vector2 direction;
   };
-  Ray ray(std::size_t beam, const Stretch& stretch) const;
-  void measure(std::size_t first, std::size_t last, const Stretch& stretch,
-               const Obstacles& obstacles);
+  /// The laser's own way, in the world.
+  struct Path {
+    double from;  ///< [s] since the sweep's first beam
+    double to;    ///< [s]
+    Position laser_at_from;
+    Position laser_at_to;
+    double turn;  ///< [rad] from the one to the other
+  };
+  Path laser_path(const Stretch& stretch) const;
+  Ray ray(std::size_t beam, const Path& path) const;
+  void measure(std::size_t first, std::size_t last, const Path& path, const Obstacles& obstacles);
   double reported(double distance);
   double missed_value();
 

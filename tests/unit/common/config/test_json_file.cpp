@@ -54,8 +54,8 @@ TEST(JsonFile, RefusesFiftyMegabytesWithoutParsingThem) {
 
 TEST(JsonFile, ReadsALargeListOfSmallObjectsInLinearTime) {
   std::string text = "[{}";
-  while (text.size() < kMaxFileSize - 10) text += ",{}";
-  EXPECT_GT(parse_json(text + "]", "a.json").size(), 1'000'000U);
+  while (text.size() < kMaxFileSize / 10) text += ",{}";
+  EXPECT_GT(parse_json(text + "]", "a.json").size(), 100'000U);
 }
 
 TEST(JsonFile, BoundsNestingBeforeParsing) {

@@ -18,7 +18,7 @@ class Drivable {
   std::optional<int> region(const Vector2& place) const;
 
  private:
-  static constexpr double kCell = 0.05;   // [m]
+  static constexpr double kCell = 0.1;    // [m]
   static constexpr double kMargin = 1.0;  // [m] around the map: whoever leaves it is outside
   static constexpr int kBlocked = -1;
   static constexpr int kUnseen = -2;

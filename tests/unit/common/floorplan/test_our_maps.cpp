@@ -23,7 +23,7 @@ const std::filesystem::path kMaps = std::filesystem::path(PERCEPTOR_SOURCE_DIR) 
 
 // The robot is 0.35 m wide, and drives through a door lengthways: half of that, and the
 // grid's half cell, and a little.
-constexpr double kClearance = 0.175 + 0.025 + 0.01;
+constexpr double kClearance = 0.175 + 0.05 + 0.01;
 constexpr double kBeyondDoor = 0.5;     // [m] from the middle of a door, on either side
 constexpr double kBeforeCabinet = 0.4;  // [m] where the robot stands to serve a cabinet
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <utility>
 
@@ -115,6 +116,8 @@ struct ArrayCase {
   std::string name;
   Bytes (*message)(std::int32_t length);
   const lcm_type_info_t* type;
+
+  friend void PrintTo(const ArrayCase& array, std::ostream* out) { *out << array.name; }
 };
 
 template <class Message>
@@ -155,9 +158,6 @@ TEST_P(EachArray, HasItsLengthChecked) {
   EXPECT_EQ(fault_with(kSmallest), "negative length");
   EXPECT_EQ(fault_with(0x20000000), "length beyond the message");
   EXPECT_EQ(fault_with(kLargest), "length beyond the message");
-  EXPECT_NE(fault_with(kMarkedLength + 1), "");
-  EXPECT_NE(fault_with(kMarkedLength - 1), "");
-  EXPECT_NE(fault_with(0), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(

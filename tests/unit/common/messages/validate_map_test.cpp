@@ -1,4 +1,5 @@
 #include <limits>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@ struct MapCase {
   const char* name;
   void (*edit)(map_t&);
   const char* reason;
+
+  friend void PrintTo(const MapCase& map, std::ostream* out) { *out << map.name; }
 };
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

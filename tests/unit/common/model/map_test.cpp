@@ -289,6 +289,8 @@ struct BrokenMap {
   const char* name;
   void (*breaks)(Map&);
   const char* says;
+
+  friend void PrintTo(const BrokenMap& map, std::ostream* out) { *out << map.name; }
 };
 
 class FindBrokenReference : public testing::TestWithParam<BrokenMap> {};

@@ -36,9 +36,10 @@ std::string describe(const TestAligner::Outcome& outcome) {
   if (const auto* dropped = std::get_if<TestAligner::Dropped>(&outcome))
     return std::to_string(dropped->stamp.utime) + " " + std::string(dropped->reason);
   const auto& paired = std::get<TestAligner::Paired>(outcome);
-  return std::to_string(paired.stamp.utime) + " x=" +
-         std::to_string(paired.position.robot_in_zero.x) + " vx=" +
-         std::to_string(paired.position.twist.vx) + (paired.position.began_anew ? " anew" : "");
+  return std::to_string(paired.stamp.utime) +
+         " x=" + std::to_string(paired.position.robot_in_zero.x) +
+         " vx=" + std::to_string(paired.position.twist.vx) +
+         (paired.position.began_anew ? " anew" : "");
 }
 
 std::vector<std::string> outcomes(const std::vector<Event>& events,
@@ -107,8 +108,8 @@ TEST(Aligner, NeverInterpolatesFromOneZeroFrameIntoAnother) {
 }
 
 TEST(Aligner, GivesUpASessionWhosePositionsNeverCame) {
-  EXPECT_EQ(outcomes({item(10 * kMs, true, 1), item(5 * kMs, true, 2),
-                      position(0, 0.0, true, 2), position(10 * kMs, 1.0, false, 2)}),
+  EXPECT_EQ(outcomes({item(10 * kMs, true, 1), item(5 * kMs, true, 2), position(0, 0.0, true, 2),
+                      position(10 * kMs, 1.0, false, 2)}),
             (std::vector<std::string>{"10000 no position in its session",
                                       "5000 x=0.500000 vx=100.000000 anew"}));
 }

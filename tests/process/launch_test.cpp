@@ -1,0 +1,111 @@
+/// The launcher starts, restarts and stops; a killed process comes back and the chain goes on.
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <pico/map_t.hpp>
+
+#include "common/bus/bus.hpp"
+#include "tests/process/harness.hpp"
+
+namespace perceptor::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kEveryone = {"bridge", "locate", "proximity",
+                                            "scan",   "merge",  "identify"};
+
+/// All six processes under tools/launch.
+class LaunchTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const fs::path file = scratch_ / "launch.json";
+    std::ofstream out(file);
+    out << R"({"processes": [)";
+    for (const std::string& name : kEveryone)
+      out << (name == "bridge" ? "" : ",") << R"({"name": ")" << name << R"(", "command": ["pico-)"
+          << name << R"("]})";
+    out << "]}";
+    out.close();
+    launcher_ = std::make_unique<Process>(
+        std::vector<std::string>{source("tools/launch"), file, "--bin", program(".")},
+        scratch_ / "output");
+    ASSERT_TRUE(status_.wait_for(kEveryone));
+    ASSERT_TRUE(map_goes_on());
+  }
+
+  /// Ten more identified maps came out of the chain, and they hold walls.
+  bool map_goes_on() {
+    const std::int64_t before = published(status_.last("identify"), "IDENTIFIED_MAP");
+    const std::int64_t boot = status_.last("identify").boot;
+    return status_.wait_until([&] {
+      const auto& now = status_.last("identify");
+      return now.boot != boot || published(now, "IDENTIFIED_MAP") > before + 10;
+    });
+  }
+
+  /// The processes whose parent is the launcher, by the last word of their program's name.
+  std::optional<pid_t> pid_of(const std::string& component) const {
+    const Finished found = run({"pgrep", "-P", std::to_string(launcher_->pid()), "-f",
+                                "/pico-" + component + "( |$)"});
+    if (found.exit_code != 0) return std::nullopt;
+    return static_cast<pid_t>(std::stol(found.output));
+  }
+
+  std::string output() const {
+    std::ostringstream text;
+    text << std::ifstream(scratch_ / "output").rdbuf();
+    return text.str();
+  }
+
+  ScratchFolder scratch_;
+  StatusListener status_;
+  std::unique_ptr<Process> launcher_;
+};
+
+TEST_F(LaunchTest, EachKilledProcessIsBackWithinASecondAndNobodyElseStops) {
+  std::map<std::string, std::int64_t> boots;
+  for (const std::string& name : kEveryone) boots[name] = status_.last(name).boot;
+
+  for (const std::string& victim : kEveryone) {
+    const auto pid = pid_of(victim);
+    ASSERT_TRUE(pid) << victim << " has no process\n" << output();
+    kill(*pid, SIGKILL);
+    EXPECT_TRUE(status_.wait_until([&] { return status_.last(victim).boot != boots[victim]; },
+                                   Seconds(1)))
+        << victim << " is not back\n" << output();
+    boots[victim] = status_.last(victim).boot;
+    for (const std::string& name : kEveryone)
+      EXPECT_EQ(status_.last(name).boot, boots[name]) << name << " stopped too, after " << victim;
+    EXPECT_TRUE(map_goes_on()) << "after " << victim;
+    status_.wait_until([] { return false; }, Seconds(3));
+  }
+  EXPECT_EQ(launcher_->stop(), 0) << output();
+}
+
+TEST_F(LaunchTest, ARestartedBridgeBeginsANewSessionAndEveryoneStartsFresh) {
+  const auto pid = pid_of("bridge");
+  ASSERT_TRUE(pid);
+  kill(*pid, SIGKILL);
+  for (const std::string& name : kPerceiving)
+    EXPECT_TRUE(status_.wait_until([&] {
+      const auto& inputs = status_.last(name).inputs;
+      return !inputs.empty() && inputs.at(0).restarts == 1;
+    })) << name;
+  EXPECT_TRUE(map_goes_on());
+  EXPECT_EQ(launcher_->stop(), 0) << output();
+}
+
+TEST_F(LaunchTest, StopsTheSourceFirstAndLeavesNobodyBehind) {
+  EXPECT_EQ(launcher_->stop(), 0);
+  for (const std::string& name : kEveryone) {
+    EXPECT_TRUE(status_.wait_until([&] { return status_.last(name).last; }, Seconds(2))) << name;
+    EXPECT_EQ(run({"pgrep", "-f", "^" + (program("pico-" + name)).string()}).exit_code, 1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace perceptor::test
