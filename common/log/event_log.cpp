@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -35,8 +36,8 @@ bool is_printable(std::span<const std::uint8_t> text) {
   return std::ranges::all_of(text, [](std::uint8_t c) { return c >= 0x20 && c < 0x7F; });
 }
 
-[[noreturn]] void fail(const std::string& what, const std::string& name) {
-  throw LogError(what + " " + name + ": " + std::strerror(errno));
+[[noreturn]] void fail(const std::string& what) {
+  throw LogError(what + ": " + std::generic_category().message(errno));
 }
 
 }  // namespace
@@ -51,9 +52,9 @@ std::int64_t LogReader::Frame::end() const {
 
 LogReader::LogReader(const std::filesystem::path& file)
     : file_(std::fopen(file.c_str(), "rb")), window_(kReadAhead) {
-  if (!file_) fail("cannot open", file.string());
+  if (!file_) fail("cannot open " + file.string());
   struct stat status {};
-  if (fstat(fileno(file_.get()), &status) != 0) fail("cannot open", file.string());
+  if (fstat(fileno(file_.get()), &status) != 0) fail("cannot open " + file.string());
   if (!S_ISREG(status.st_mode)) throw LogError(file.string() + " is not a regular file");
   size_ = status.st_size;
 }
@@ -65,7 +66,7 @@ std::size_t LogReader::read_at(std::int64_t offset, std::uint8_t* out, std::size
     const ssize_t n = pread(fileno(file_.get()), out + got, wanted - got,
                             offset + static_cast<std::int64_t>(got));
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw LogError(std::string("cannot read the log: ") + std::strerror(errno));
+    if (n < 0) fail("cannot read the log");
     if (n == 0) break;
     got += static_cast<std::size_t>(n);
   }
@@ -203,7 +204,7 @@ bool LogReader::next(LogEvent& event) {
 
 LogWriter::LogWriter(const std::filesystem::path& file)
     : name_(file.string()), file_(std::fopen(file.c_str(), "wb")) {
-  if (!file_) fail("cannot write", name_);
+  if (!file_) fail("cannot write " + name_);
   std::setvbuf(file_.get(), nullptr, _IOFBF, kReadAhead);
 }
 
@@ -226,14 +227,14 @@ void LogWriter::write(std::string_view channel, std::int64_t timestamp, const vo
   const bool good = std::fwrite(header.data(), header.size(), 1, file_.get()) == 1 &&
                     std::fwrite(channel.data(), channel.size(), 1, file_.get()) == 1 &&
                     (size == 0 || std::fwrite(data, size, 1, file_.get()) == 1);
-  if (!good) fail("cannot write", name_);
+  if (!good) fail("cannot write " + name_);
   ++written_;
 }
 
 void LogWriter::close() {
   if (!file_) return;
   std::FILE* file = file_.release();
-  if (std::fclose(file) != 0) fail("cannot write", name_);
+  if (std::fclose(file) != 0) fail("cannot write " + name_);
 }
 
 }  // namespace perceptor

@@ -4,79 +4,18 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <tuple>
 
+#include "components/identify/bounds.hpp"
 #include "components/identify/shut.hpp"
 
 namespace perceptor::identify {
 namespace {
-
-/// What can bound an opening, the most certain first.
-enum class BoundKind : std::uint8_t { corner, outer_end, turned_end, loose_end, face };
-
-/// An end of a wall that can bound an opening.
-struct Bound {
-  BoundKind kind = BoundKind::loose_end;
-  const Wall* wall = nullptr;
-  const WallEnd* end = nullptr;
-  Index partner = kNone;  ///< the point that forms the corner with it
-};
-
-bool is_convex(BoundKind kind) { return kind == BoundKind::corner || kind == BoundKind::outer_end; }
 
 bool make_door(BoundKind first, BoundKind second) {
   const auto is_jamb = [](BoundKind kind) {
     return is_convex(kind) || kind == BoundKind::turned_end;
   };
   return is_jamb(first) && is_jamb(second) && (is_convex(first) || is_convex(second));
-}
-
-std::optional<BoundKind> kind_of(const Point& point, bool has_partner) {
-  if (point.property == PointProperty::convex) {
-    return has_partner ? BoundKind::corner : BoundKind::outer_end;
-  }
-  if (point.property != PointProperty::floating || has_partner) return std::nullopt;
-  const bool was_seen_to_turn =
-      point.method == CornerMethod::vector || point.method == CornerMethod::intersection;
-  return was_seen_to_turn ? BoundKind::turned_end : BoundKind::loose_end;
-}
-
-const Point& point_at(const Map& map, const WallEnd& end) {
-  return map.points[static_cast<std::size_t>(end.point)];
-}
-
-/// Whether a wall is the depth of another one: shorter than walls are thick, and it goes back
-/// from a convex corner. Its far end is the other face's corner, and points across whatever
-/// passes by there.
-bool is_jamb(const Map& map, const Wall& wall, const WallEnd& far_end, double max_thickness) {
-  const WallEnd& near_end = &far_end == wall.ends.data() ? wall.ends[1] : wall.ends[0];
-  return wall.length <= max_thickness && near_end.partner.has_value() &&
-         point_at(map, near_end).property == PointProperty::convex;
-}
-
-/// The ends that can bound an opening, by x (and then whatever tells two ends apart), so that
-/// those near each other are found without looking at all pairs, and the order of the map's
-/// objects does not show.
-std::vector<Bound> find_bounds(const Map& map, const std::vector<Wall>& walls,
-                               const OpeningParameters& parameters) {
-  std::vector<Bound> bounds;
-  bounds.reserve(2 * walls.size());
-  for (const Wall& wall : walls) {
-    if (wall.length < parameters.wall_min_length) continue;
-    for (const WallEnd& end : wall.ends) {
-      const auto kind = kind_of(point_at(map, end), end.partner.has_value());
-      if (!kind) continue;
-      const bool is_corner = *kind == BoundKind::corner;
-      if (!is_corner && is_jamb(map, wall, end, parameters.max_wall_thickness)) continue;
-      const Index partner = end.partner ? end_of(walls, *end.partner).point : kNone;
-      bounds.push_back({*kind, &wall, &end, partner});
-    }
-  }
-  std::ranges::sort(bounds, {}, [](const Bound& b) {
-    return std::tuple(b.end->location.x(), b.end->location.y(), b.end->outward.x(),
-                      b.end->outward.y());
-  });
-  return bounds;
 }
 
 /// For people, by the kinds of the more and the less certain bound.
@@ -88,6 +27,8 @@ constexpr std::array<std::array<std::string_view, 5>, 4> kReasons = {{
     {"", "", "two turned ends", "turned end and loose end", "turned end faces wall"},
     {"", "", "", "two loose ends", "loose end faces wall"},
 }};
+
+constexpr std::string_view kJambsReason = "facing jambs that end";
 
 std::string_view reason_of(BoundKind first, BoundKind second) {
   const auto [better, worse] = std::minmax(first, second);
@@ -135,6 +76,7 @@ class CandidateFinder {
                   const OpeningParameters& limits, const ConfidenceParameters& confidence)
       : walls_(walls), robot_(robot), limits_(limits), confidence_(confidence) {}
 
+  /// Of two walls in about one line.
   std::optional<Candidate> between(const Bound& first, const Bound& second) const {
     const Vector2 across = second.end->location - first.end->location;
     const bool point_at_each_other =
@@ -165,6 +107,37 @@ class CandidateFinder {
     return candidate;
   }
 
+  /// Of a doorway that is seen from within: its walls are hidden, its jambs face each other.
+  std::optional<Candidate> between_jambs(const Bound& first, const Bound& second) const {
+    const bool lie_in_walls = first.kind == BoundKind::corner && second.kind == BoundKind::corner;
+    if (lie_in_walls || !is_convex(first.kind) || !is_convex(second.kind)) return std::nullopt;
+    if (first.end->outward.dot(second.end->outward) < max_angle_cosine_) return std::nullopt;
+    const Vector2 across = second.end->location - first.end->location;
+    const double width = length(across);
+    if (!has_door_width(width)) return std::nullopt;
+    const double first_faces = first.wall->free.dot(across);
+    const double second_faces = -second.wall->free.dot(across);
+    const bool look_away = first_faces < 0.0 || second_faces < 0.0;
+    if (look_away) return std::nullopt;
+    const Vector2 along = across / width;
+    const int side_within = -side_of(first.end->outward, along);
+    const Vector2 outward = -side_within * perpendicular(along);
+    const double angle = std::max(angle_between(first.end->outward, outward),
+                                  angle_between(second.end->outward, outward));
+    if (angle > limits_.max_face_angle) return std::nullopt;
+
+    const OpeningLine line = opening_line(first.end->location, along, width, side_within);
+    if (is_shut(line, walls_, nullptr, limits_)) return std::nullopt;
+    const Residuals residuals{share(angle, limits_.max_face_angle), 0.0};
+    const bool sides_known = first_faces > 0.0 && second_faces > 0.0;
+    Candidate candidate = make(line, first.kind, second.kind, side_within, sides_known, residuals);
+    candidate.opening.reason = kJambsReason;
+    set_bounds(candidate, line, bound_of(first), bound_of(second));
+    candidate.points = {first.end->point, first.partner, second.end->point, second.partner};
+    return candidate;
+  }
+
+  /// Of a wall's end and the wall that it looks at.
   std::optional<Candidate> onto_face(const Bound& bound, const Wall& face) const {
     if (is_out_of_reach(face, bound.end->location, limits_.door_max_width)) return std::nullopt;
     if (&face == bound.wall) return std::nullopt;
@@ -250,6 +223,7 @@ class CandidateFinder {
   const Vector2& robot_;
   const OpeningParameters& limits_;
   const ConfidenceParameters& confidence_;
+  double max_angle_cosine_ = std::cos(limits_.max_angle);
   double max_face_sine_ = std::sin(limits_.max_face_angle);
 };
 
@@ -266,6 +240,7 @@ std::vector<Candidate> find_candidates(const Map& map, const std::vector<Wall>& 
     for (auto second = first + 1; second != bounds.end(); ++second) {
       if (second->end->location.x() > x_limit) break;
       if (auto found = finder.between(*first, *second)) candidates.push_back(*found);
+      if (auto found = finder.between_jambs(*first, *second)) candidates.push_back(*found);
     }
   }
   for (const Bound& bound : bounds) {

@@ -29,7 +29,8 @@ void describe_openings(config::Fields& fields, identify::OpeningParameters& p) {
   fields.number("max_offset", p.max_offset, {0.0, 10.0},
                 "[m] of each end from the line of the other wall");
   fields.number("max_face_angle", p.max_face_angle, {0.0, 1.5},
-                "[rad] by which an end's wall may miss the normal of the wall it faces");
+                "[rad] by which an end's wall may miss the normal of the wall it faces, or a "
+                "jamb that of the door's line");
   fields.number("end_tolerance", p.end_tolerance, {0.0, 1.0},
                 "[m] within this of its ends, a wall that only touches a door's line does not "
                 "shut it (a jamb)");

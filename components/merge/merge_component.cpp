@@ -1,7 +1,5 @@
 #include "components/merge/merge_component.hpp"
 
-#include <string>
-
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
 #include "common/time/stamp.hpp"
@@ -13,6 +11,7 @@ namespace {
 constexpr int kQueue = 200;  // every scan counts: the map is made of all of them
 constexpr std::string_view kWrongFrame = "not in the robot frame";
 constexpr std::string_view kInParts = "in parts";
+constexpr std::string_view kDoesNotFit = "does not fit the local map: not merged";
 
 pico::map_t to_message(const pico::map_t& current, const merge::LocalMap& local, const Map& map) {
   pico::map_t message = make_map_message("robot", map);
@@ -51,10 +50,7 @@ void MergeComponent::on_current_map(const pico::map_t& message, bool began_anew)
   scan.laser_in_robot = config_.robot.laser.laser_in_robot;
   scan.walls = to_model(message);
   const merge::LocalMap local = merger_.update(scan);
-  if (local.rejected) {
-    ++misfits_;
-    bus_.status().set_note(std::to_string(misfits_) + " scans did not fit the map: not merged");
-  }
+  if (local.rejected) bus_.count(channel::current_map, kDoesNotFit, 1);
 
   Map map = local.walls;
   merge::add_origin(map, local.robot_in_local.pose);

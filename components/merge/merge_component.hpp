@@ -55,7 +55,6 @@ class MergeComponent {
   Bus& bus_;
   merge::Merger merger_;
   std::optional<std::int64_t> zero_utime_;
-  std::int64_t misfits_ = 0;  ///< scans that did not fit the map
 };
 
 }  // namespace perceptor

@@ -11,7 +11,8 @@ namespace perceptor {
 struct ProximityParameters {
   double radius = 0.35;  ///< [m] from the robot's centre; closer is too close
   int num_sectors = 36;  ///< at least one; more make directions finer, and more sectors blind where
-                         ///< beams are sparse
+                         ///< beams are sparse; with sectors of less than 3 degrees
+                         ///< a sliver of the robot itself can pass for a contact
   double contact_share = 0.25;  ///< share of a sector's angle that a body inside the footprint
                                 ///< has to cover to be a contact; less takes a sliver of the
                                 ///< robot itself for a body

@@ -28,6 +28,12 @@ Beam make_beam(const LaserScan& scan, const BeamEnd& end, const NoiseParameters&
           .bearing = scan.bearings[end.beam]};
 }
 
+/// Counter-clockwise [rad].
+double step_between(const Beam& from, const Beam& to) {
+  const double step = to.bearing - from.bearing;
+  return step < 0.0 ? step + 2.0 * std::numbers::pi : step;
+}
+
 bool is_gap(const Beams& beams, const Beam& from, const Beam& to, double step) {
   const double distance_squared = (to.location - from.location).squaredNorm();
   const double noise = kNoiseSigmas * std::max(from.sigma, to.sigma);
@@ -43,7 +49,7 @@ void remove_strays(Beams& usable) {
   std::vector<Beam>& beams = usable.beams;
   if (beams.size() < 3) return;
   const auto jumps = [&usable](const Beam& from, const Beam& to) {
-    return is_gap(usable, from, to, to.bearing - from.bearing);
+    return is_gap(usable, from, to, step_between(from, to));
   };
   std::size_t kept = 1;
   for (std::size_t i = 1; i < beams.size(); ++i) {
@@ -65,9 +71,7 @@ void begin_at_farthest(std::vector<Beam>& beams) {
 }  // namespace
 
 bool is_gap(const Beams& beams, std::size_t i, std::size_t j) {
-  double step = beams[j].bearing - beams[i].bearing;
-  while (step < 0.0) step += 2.0 * std::numbers::pi;
-  return is_gap(beams, beams[i], beams[j], step);
+  return is_gap(beams, beams[i], beams[j], step_between(beams[i], beams[j]));
 }
 
 double variance_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise) {
@@ -103,14 +107,15 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<
     usable.increment = (*largest - *smallest) / static_cast<double>(scan.size() - 1);
   usable.laser = ends[ends.size() / 2].origin;
 
+  const double around = *largest - *smallest + 2.0 * usable.increment;
+  usable.is_circle = usable.beams.size() > 2 && around >= 2.0 * std::numbers::pi;
+  if (usable.is_circle) begin_at_farthest(usable.beams);
   remove_strays(usable);
   usable.count = usable.beams.size();
-  const double around = *largest - *smallest + 2.0 * usable.increment;
-  usable.is_circle =
-      usable.count > 2 && around >= 2.0 * std::numbers::pi && !is_gap(usable, usable.count - 1, 0);
   if (usable.is_circle) {
-    begin_at_farthest(usable.beams);
-    usable.beams.insert(usable.beams.end(), usable.beams.begin(), usable.beams.end());
+    usable.beams.resize(2 * usable.count);
+    std::copy_n(usable.beams.begin(), usable.count,
+                usable.beams.begin() + static_cast<std::ptrdiff_t>(usable.count));
   }
   return usable;
 }

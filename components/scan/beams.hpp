@@ -24,7 +24,7 @@ struct Beam {
 struct Beams {
   std::vector<Beam> beams;
   std::size_t count = 0;         ///< of different beams
-  bool is_circle = false;        ///< the wall may go on from the last beam to the first
+  bool is_circle = false;        ///< the sweep goes all around: the first beam follows the last
   double increment = 0.0;        ///< [rad] mean step of bearing
   double grazing = 1.0;          ///< [-] 1 / sin(min_incidence): distance of neighbours on the most
                                  ///< grazing wall, over their distance across the beam

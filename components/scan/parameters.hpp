@@ -40,7 +40,7 @@ struct WallParameters {
   double support_sigmas = 3.5;  ///< [-] a beam further from the line does not support it
   double min_support_share = 0.7;  ///< [-] of the beams between its ends; less takes curved things
   int min_beams = 6;               ///< beams that support it
-  double min_length = 0.2;         ///< [m]
+  double min_length = 0.25;        ///< [m]
   double max_angle_sigma = 0.08;   ///< [rad] a wall whose direction is less certain is left out
 };
 

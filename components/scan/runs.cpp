@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "components/scan/angle_clustering.hpp"
 
@@ -20,6 +21,15 @@ constexpr double kWindowSpacings = 3.0;
 
 /// Beams between two pieces of one wall, or at a corner: more than these are something else.
 constexpr std::size_t kMostStrays = 5;
+
+/// The run some beams later; unsigned arithmetic wraps, so less than nothing is earlier.
+Run shifted(Run run, std::size_t beams) {
+  run.begin += beams;
+  run.end += beams;
+  run.solid_until += beams;
+  run.solid_from += beams;
+  return run;
+}
 
 double cost(const Moments& first, const Moments& second, const NoiseParameters& noise) {
   return misfit(first, noise).chi_square + misfit(second, noise).chi_square;
@@ -76,6 +86,26 @@ std::vector<Run> split_where_bent(const std::vector<Run>& runs, const PrefixMome
   return straight;
 }
 
+/// In a circle, puts the first run behind the last: neighbours over the seam then stand next
+/// to each other. The first run always begins within the first turn, so that none ends after
+/// the second.
+void turn(std::vector<Run>& runs, const Beams& beams) {
+  if (!beams.is_circle || runs.size() < 2) return;
+  std::ranges::rotate(runs, runs.begin() + 1);
+  runs.back() = past_seam(runs.back(), beams);
+  if (runs.front().begin < beams.count) return;
+  for (Run& run : runs) run = shifted(run, 0 - beams.count);
+}
+
+/// Does something to all neighbours, over the seam of a circle too.
+template <class Pass>
+void for_all_neighbours(std::vector<Run>& runs, const Beams& beams, Pass pass) {
+  pass();
+  if (!beams.is_circle) return;
+  turn(runs, beams);
+  pass();
+}
+
 /// The first beam, going back from `from` but not past `limit`, further than `distance` from
 /// the location.
 std::size_t back_by(const Beams& beams, std::size_t from, std::size_t limit,
@@ -117,9 +147,11 @@ void place_cut(Run& first, Run& second, const Beams& beams, const PrefixMoments&
 
 void place_cuts(std::vector<Run>& runs, const Beams& beams, const PrefixMoments& sums,
                 const ScanParameters& parameters) {
-  for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-    if (adjoin(beams, runs[i], runs[i + 1]))
-      place_cut(runs[i], runs[i + 1], beams, sums, parameters);
+  for_all_neighbours(runs, beams, [&] {
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+      if (adjoin(beams, runs[i], runs[i + 1]))
+        place_cut(runs[i], runs[i + 1], beams, sums, parameters);
+  });
 }
 
 void remove_strays(std::vector<Run>& runs) {
@@ -151,27 +183,21 @@ Run joined(const Run& first, const Run& second) {
           .moments = first.moments + second.moments};
 }
 
-std::vector<Run> merge_neighbours(const std::vector<Run>& runs, const Beams& beams,
-                                  const ScanParameters& parameters) {
-  std::vector<Run> merged;
-  for (const Run& run : runs) {
-    merged.push_back(run);
-    while (merged.size() >= 2 &&
-           is_one_wall(beams, merged[merged.size() - 2], merged.back(), parameters)) {
-      const Run last = merged.back();
-      merged.pop_back();
-      merged.back() = joined(merged.back(), last);
+void merge_neighbours(std::vector<Run>& runs, const Beams& beams,
+                      const ScanParameters& parameters) {
+  for_all_neighbours(runs, beams, [&] {
+    std::vector<Run> merged;
+    for (const Run& run : runs) {
+      merged.push_back(run);
+      while (merged.size() >= 2 &&
+             is_one_wall(beams, merged[merged.size() - 2], merged.back(), parameters)) {
+        const Run last = merged.back();
+        merged.pop_back();
+        merged.back() = joined(merged.back(), last);
+      }
     }
-  }
-  return merged;
-}
-
-/// Puts the first run of a circle behind the last: neighbours over the seam then stand next to
-/// each other.
-void turn(std::vector<Run>& runs, const Beams& beams) {
-  if (!beams.is_circle || runs.size() < 2) return;
-  std::ranges::rotate(runs, runs.begin() + 1);
-  runs.back() = past_seam(runs.back(), beams);
+    runs = std::move(merged);
+  });
 }
 
 }  // namespace
@@ -184,13 +210,7 @@ Run make_run(const PrefixMoments& sums, std::size_t begin, std::size_t end) {
           .moments = sums.of(begin, end)};
 }
 
-Run past_seam(Run run, const Beams& beams) {
-  run.begin += beams.count;
-  run.end += beams.count;
-  run.solid_until += beams.count;
-  run.solid_from += beams.count;
-  return run;
-}
+Run past_seam(Run run, const Beams& beams) { return shifted(run, beams.count); }
 
 std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums) {
   std::vector<Run> stretches;
@@ -221,12 +241,11 @@ bool adjoin(const Beams& beams, const Run& first, const Run& second) {
 
 std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixMoments& sums,
                         const ScanParameters& parameters) {
-  turn(runs, beams);
   place_cuts(runs, beams, sums, parameters);
   runs = split_where_bent(runs, sums, parameters);
-  runs = merge_neighbours(runs, beams, parameters);
+  merge_neighbours(runs, beams, parameters);
   remove_strays(runs);
-  runs = merge_neighbours(runs, beams, parameters);
+  merge_neighbours(runs, beams, parameters);
   place_cuts(runs, beams, sums, parameters);
   return runs;
 }

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -81,12 +80,10 @@ int main(int argc, char** argv) {
   ConversionOptions options;
   app.add_option("IN", in_name, "the recording; - is standard input")->required();
   app.add_option("OUT", out_name, "the LCM event log to write")->required();
-  app.add_option("--format", options.format, "text, carmen or auto (the default)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, RecordingFormat>{{"auto", RecordingFormat::automatic},
-                                                 {"text", RecordingFormat::text},
-                                                 {"carmen", RecordingFormat::carmen}}))
-      ->option_text("FORMAT");
+  std::string format = "auto";
+  app.add_option("--format", format, "auto, text or carmen")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "text", "carmen"}));
   app.add_flag("--still", options.events.still,
                "the robot stood still: write an odometry of zeros around every scan, instead of "
                "what was recorded");
@@ -106,5 +103,9 @@ int main(int argc, char** argv) {
   app.add_option("--valid-max", options.events.valid_max,
                  "[m] a longer range is no return; default: as recorded")
       ->check(CLI::PositiveNumber);
-  return perceptor::run_tool(app, argc, argv, [&] { return run(in_name, out_name, options); });
+  return perceptor::run_tool(app, argc, argv, [&] {
+    if (format == "text") options.format = RecordingFormat::text;
+    if (format == "carmen") options.format = RecordingFormat::carmen;
+    return run(in_name, out_name, options);
+  });
 }

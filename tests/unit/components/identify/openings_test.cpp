@@ -212,6 +212,49 @@ TEST(Doors, TurnedEndIsTheJambAcrossFromAConvexEnd) {
   expect_one(openings_of(map), ObjectType::possible_door, "two turned ends");
 }
 
+/// Two walls 1 m long that face each other across a passage of 0.8 m, seen from within: both
+/// end at x = 2, the right one `longer` further on; only jumps in range show that they end.
+Map passage(double longer) {
+  Map map;
+  draw(map, {{1, -0.4}, {2 + longer, -0.4}});
+  draw(map, {{2, 0.4}, {1, 0.4}});
+  end_point(map, 0, kHead).method = CornerMethod::spike;
+  end_point(map, 1, kTail).method = CornerMethod::spike;
+  return map;
+}
+
+TEST(Doors, JambsThatFaceEachOtherAreADoorSeenFromWithin) {
+  Map map = passage(0.1);
+  draw(map, {{3.5, -2}, {3.5, 2}});  // the corridor's wall behind
+  const auto openings = openings_of(map);
+  expect_one(openings, ObjectType::door, "facing jambs that end");
+  EXPECT_NEAR(width_of(openings[0]), std::hypot(0.8, 0.1), kExact);
+  EXPECT_NEAR(distance(middle_of(openings[0]), {2.05, 0}), 0.0, kExact);
+  const Vector2 across = openings[0].second.location - openings[0].first.location;
+  EXPECT_GT(cross(across, kRobot - openings[0].first.location), 0.0) << "free side: within";
+}
+
+TEST(Doors, JambsHaveToEndTogetherFaceEachOtherAndStandOpen) {
+  EXPECT_TRUE(openings_of(passage(0.4)).empty()) << "one goes on";
+
+  Map back_to_back = passage(0.0);
+  back_to_back.objects[0].free_side = FreeSide::right;
+  back_to_back.objects[1].free_side = FreeSide::right;
+  EXPECT_TRUE(openings_of(back_to_back).empty()) << "two sides of one block";
+
+  Map shut = passage(0.0);
+  draw(shut, {{2.2, -1}, {2.2, 1}});
+  EXPECT_TRUE(openings_of(shut).empty()) << "a wall behind";
+
+  Map funnel = passage(0.0);
+  end_point(funnel, 1, kHead).location = {1, 0.75};
+  EXPECT_TRUE(openings_of(funnel).empty()) << "not parallel";
+
+  Map loose = passage(0.0);
+  end_point(loose, 0, kHead).method = CornerMethod::none;
+  EXPECT_TRUE(openings_of(loose).empty()) << "one may go on unseen";
+}
+
 TEST(PossibleDoors, CornerAndLooseEnd) {
   Map map;
   draw(map, {{3, 2}, {0.45, 2}, {0.45, 2.2}});

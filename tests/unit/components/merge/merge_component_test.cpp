@@ -154,7 +154,7 @@ TEST_F(MergeComponentTest, OtherFramesAndPartsAreRejected) {
   part.parts = 2;
   send(part);
   EXPECT_TRUE(received_.empty());
-  EXPECT_EQ(status_.rejected_in_all(), 2);
+  EXPECT_EQ(status_.message(0, true).inputs.at(0).rejected, 2);
 }
 
 TEST_F(MergeComponentTest, CorridorSaysWhichDirectionIsUnobservable) {
@@ -166,7 +166,7 @@ TEST_F(MergeComponentTest, CorridorSaysWhichDirectionIsUnobservable) {
 
 TEST_F(MergeComponentTest, FullMapFitsOneMessage) {
   std::vector<merge::Drawn> many;
-  for (int i = 0; i < 300; ++i) many.push_back(merge::wall(i % 20, i / 20, i % 20 + 0.5, i / 20));
+  for (int i = 0; i < 300; ++i) many.push_back(merge::wall(0.9 * i, 0, 0.9 * i + 0.5, 0));
   for (int seq = 1; seq <= 4; ++seq) send(current_map(many, seq));
   ASSERT_EQ(received_.size(), 4U);
   EXPECT_EQ(last_walls(), 150U);
