@@ -7,16 +7,16 @@ namespace perceptor::merge {
 namespace {
 
 /// Across the wall the line says how well the end is known, along it the end itself.
-Eigen::Matrix2d end_covariance(const Wall& wall, std::size_t end) {
-  const Line line = line_of(wall.segment);
+Eigen::Matrix2d end_covariance(const Wall& wall, const Line& line, std::size_t end) {
   const double to_end = end == kHead ? line.length / 2.0 : -line.length / 2.0;
   const double across = moved_along(wall.covariance, to_end)(0, 0);
   return wall.ends[end].variance * line.along * line.along.transpose() +
          across * line.normal * line.normal.transpose();
 }
 
-void fill_point(Point& point, const Wall& wall, std::size_t end, double end_sigma) {
-  point.covariance = end_covariance(wall, end);
+void fill_point(Point& point, const Wall& wall, const Line& line, std::size_t end,
+                double end_sigma) {
+  point.covariance = end_covariance(wall, line, end);
   point.method = wall.ends[end].method;
   point.radius = wall.ends[end].radius;
   point.weight = end_sigma * end_sigma / wall.ends[end].variance;
@@ -48,17 +48,23 @@ void connect_corner(Map& map, Index arriving, Index leaving) {
 
 }  // namespace
 
-Map confirmed_map(const std::vector<Wall>& walls, double end_sigma) {
+Map confirmed_map(const std::vector<Wall>& walls, const Position& robot_in_local,
+                  double end_sigma) {
+  const Position local_in_robot = inverse(robot_in_local);
   Map map;
+  map.objects.reserve(walls.size());
+  map.points.reserve(2 * walls.size());
   std::map<std::int32_t, Index> object_of_id;
   for (const Wall& wall : walls) {
     if (!wall.confirmed) continue;
+    const Segment segment = perceptor::transform(local_in_robot, wall.segment);
+    const Line line = line_of(segment);
     const Index added =
-        add_segment(map, wall.segment, ObjectType::wall, "wall " + std::to_string(wall.id));
+        add_segment(map, segment, ObjectType::wall, "wall " + std::to_string(wall.id));
     object_of_id[wall.id] = added;
     fill_object(map.objects[static_cast<std::size_t>(added)], wall);
     for (const std::size_t end : {kTail, kHead})
-      fill_point(map.points[static_cast<std::size_t>(point_of(map, added, end))], wall, end,
+      fill_point(map.points[static_cast<std::size_t>(point_of(map, added, end))], wall, line, end,
                  end_sigma);
   }
   for (const Wall& wall : walls) {

@@ -7,9 +7,8 @@
 
 namespace perceptor::merge {
 
-/// The confirmed walls in the frame in which they are kept: objects in the order of `walls`,
-/// each with its tail and head as points, corners connected. `end_sigma` [m]: an end known this
-/// well has weight 1.
-Map confirmed_map(const std::vector<Wall>& walls, double end_sigma);
+/// The confirmed walls, seen from the robot: objects in the order of `walls`, each with its tail
+/// and head as points, corners connected. `end_sigma` [m]: an end known this well has weight 1.
+Map confirmed_map(const std::vector<Wall>& walls, const Position& robot_in_local, double end_sigma);
 
 }  // namespace perceptor::merge

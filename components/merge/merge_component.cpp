@@ -1,5 +1,7 @@
 #include "components/merge/merge_component.hpp"
 
+#include <utility>
+
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
 #include "common/time/stamp.hpp"
@@ -49,10 +51,10 @@ void MergeComponent::on_current_map(const pico::map_t& message, bool began_anew)
   scan.robot_in_zero = to_model(message.robot_in_zero);
   scan.laser_in_robot = config_.robot.laser.laser_in_robot;
   scan.walls = to_model(message);
-  const merge::LocalMap local = merger_.update(scan);
+  merge::LocalMap local = merger_.update(scan);
   if (local.rejected) bus_.count(channel::current_map, kDoesNotFit, 1);
 
-  Map map = local.walls;
+  Map map = std::move(local.walls);
   merge::add_origin(map, local.robot_in_local.pose);
   merge::add_robot(map, config_.robot.footprint);
   merge::add_safe_distance(map, config_.safe_distance);

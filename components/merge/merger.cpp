@@ -68,9 +68,8 @@ LocalMap Merger::update(const ScanMap& scan) {
   if (is_to_be_merged(registration)) merge_scan(sighted, robot_in_local, scan);
   previous_ = {scan.utime, scan.robot_in_zero, robot_in_local};
 
-  const Map in_local = confirmed_map(walls_, parameters_.sighting.end_sigma);
   LocalMap local_map;
-  local_map.walls = perceptor::transform(in_local, inverse(robot_in_local.pose));
+  local_map.walls = confirmed_map(walls_, robot_in_local.pose, parameters_.sighting.end_sigma);
   local_map.robot_in_local = robot_in_local;
   local_map.registered = registration.matched;
   local_map.rejected = registration.rejected;

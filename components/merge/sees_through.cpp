@@ -25,36 +25,50 @@ void clip(Part& part, double at_start, double at_end) {
   }
 }
 
-}  // namespace
+/// A wall as the laser looks at it: along it, and away from it on the side where the laser is
+/// not.
+struct View {
+  Vector2 tail = Vector2::Zero();
+  Vector2 along = Vector2::Zero();
+  double length = 0.0;       ///< [m]
+  double laser_along = 0.0;  ///< [m] from the tail
+  double laser_away = 0.0;   ///< [m] at least 0
+  double side = 1.0;         ///< +1: the laser is on the left
 
-std::optional<Interval> passed_through(const Segment& screen, const Vector2& laser,
-                                       const Segment& target,
+  double depth_of(const Vector2& point) const { return -side * cross(along, point - tail); }
+  double along_of(const Vector2& point) const { return along.dot(point - tail) - laser_along; }
+};
+
+View view_of(const Segment& screen, const Vector2& laser) {
+  View view;
+  view.tail = screen.a;
+  view.along = direction(screen);
+  view.length = length(screen);
+  view.laser_along = view.along.dot(laser - screen.a);
+  const double left = cross(view.along, laser - screen.a);
+  view.laser_away = std::abs(left);
+  view.side = left > 0.0 ? 1.0 : -1.0;
+  return view;
+}
+
+std::optional<Interval> passed_through(const View& view, const Segment& target,
                                        const SeesThroughParameters& parameters) {
-  // Seen from the screen's tail: along it, and away from it on the side where the laser is not.
-  const Vector2 along = direction(screen);
-  const Vector2 to_laser = laser - screen.a;
-  const double laser_along = along.dot(to_laser);
-  const double laser_left = cross(along, to_laser);
-  const double laser_away = std::abs(laser_left);
-  if (laser_away < parameters.min_distance) return std::nullopt;
-  const double side = laser_left > 0.0 ? 1.0 : -1.0;
-  const auto depth_of = [&](const Vector2& p) { return -side * cross(along, p - screen.a); };
-  const double depth_a = depth_of(target.a);
-  const double depth_b = depth_of(target.b);
+  if (view.laser_away < parameters.min_distance) return std::nullopt;
+  const double depth_a = view.depth_of(target.a);
+  const double depth_b = view.depth_of(target.b);
   Part part;
   clip(part, depth_a - parameters.behind, depth_b - parameters.behind);
   if (part.is_empty()) return std::nullopt;
 
   // A point is behind the screen where its ray from the laser is between those to the ends of
   // the screen: linear in the point, once multiplied by its distance from the laser's line.
-  const double screen_length = length(screen);
-  const double margin = std::min(parameters.end_margin, screen_length / 4.0);
-  const double along_a = along.dot(target.a - screen.a) - laser_along;
-  const double along_b = along.dot(target.b - screen.a) - laser_along;
-  const double first = margin - laser_along;
-  const double last = screen_length - margin - laser_along;
-  const double reach_a = (depth_a + laser_away) / laser_away;
-  const double reach_b = (depth_b + laser_away) / laser_away;
+  const double margin = std::min(parameters.end_margin, view.length / 4.0);
+  const double along_a = view.along_of(target.a);
+  const double along_b = view.along_of(target.b);
+  const double first = margin - view.laser_along;
+  const double last = view.length - margin - view.laser_along;
+  const double reach_a = (depth_a + view.laser_away) / view.laser_away;
+  const double reach_b = (depth_b + view.laser_away) / view.laser_away;
   clip(part, along_a - first * reach_a, along_b - first * reach_b);
   clip(part, last * reach_a - along_a, last * reach_b - along_b);
   if (part.is_empty()) return std::nullopt;
@@ -62,19 +76,29 @@ std::optional<Interval> passed_through(const Segment& screen, const Vector2& las
   const auto passes_at = [&](double fraction) {
     const double target_along = along_a + fraction * (along_b - along_a);
     const double reach = reach_a + fraction * (reach_b - reach_a);
-    return laser_along + target_along / reach;
+    return view.laser_along + target_along / reach;
   };
   const auto [from, to] = std::minmax({passes_at(part.from), passes_at(part.to)});
-  if (to - from < std::min(parameters.min_width, screen_length / 2.0 - margin)) return std::nullopt;
+  const double min_width = std::min(parameters.min_width, view.length / 2.0 - margin);
+  if (to - from < min_width) return std::nullopt;
   return Interval{from, to};
+}
+
+}  // namespace
+
+std::optional<Interval> passed_through(const Segment& screen, const Vector2& laser,
+                                       const Segment& target,
+                                       const SeesThroughParameters& parameters) {
+  return passed_through(view_of(screen, laser), target, parameters);
 }
 
 std::optional<Interval> widest_opening(const Segment& screen, const Vector2& laser,
                                        const std::vector<Wall>& targets,
                                        const SeesThroughParameters& parameters) {
+  const View view = view_of(screen, laser);
   std::vector<Interval> pieces;
   for (const Wall& target : targets)
-    if (const auto piece = passed_through(screen, laser, target.segment, parameters))
+    if (const auto piece = passed_through(view, target.segment, parameters))
       pieces.push_back(*piece);
   if (pieces.empty()) return std::nullopt;
   std::sort(pieces.begin(), pieces.end(), [](const Interval& p, const Interval& q) {

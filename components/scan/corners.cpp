@@ -1,6 +1,8 @@
 #include "components/scan/corners.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/LU>
 
@@ -9,6 +11,9 @@ namespace {
 
 /// A wall ends at a cut where no more than this many beams at the cut do not support it.
 constexpr std::size_t kLooseBeams = 3;
+
+/// Steps of bearing without a return over which a jump in range is still seen as one.
+constexpr double kMostSteps = 5.0;
 
 /// Two runs that follow each other.
 struct Cut {
@@ -57,8 +62,11 @@ std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
 std::optional<std::size_t> spike(const Cut& cut, const Beams& beams,
                                  const ScanParameters& parameters) {
   const double jump = beams[cut.next()].range - beams[cut.last()].range;
-  const bool is_jump =
-      is_gap(beams, cut.last(), cut.next()) && std::abs(jump) >= parameters.corner.spike_jump;
+  const double step =
+      std::remainder(beams[cut.next()].bearing - beams[cut.last()].bearing, 2.0 * std::numbers::pi);
+  const bool is_jump = std::abs(step) <= kMostSteps * beams.increment &&
+                       std::abs(jump) >= parameters.corner.spike_jump &&
+                       is_gap(beams, cut.last(), cut.next());
   if (!is_jump) return std::nullopt;
   return jump > 0.0 ? cut.last() : cut.next();
 }

@@ -1,6 +1,7 @@
 #include "components/scan/scan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "components/scan/angle_clustering.hpp"
 #include "components/scan/corners.hpp"
@@ -57,9 +58,6 @@ void add_wall(Map& map, const Wall& wall, const WallCorners& corners, double rad
   set_point(object.points[1], wall.last, corners.last);
 }
 
-/// Bearing of a beam, where it stands in the scan once round.
-double bearing_of(const Beams& beams, std::size_t beam) { return beams[beam].bearing; }
-
 }  // namespace
 
 CurrentMap extract_walls(const LaserScan& scan, const Twist& twist,
@@ -79,7 +77,7 @@ CurrentMap extract_walls(const LaserScan& scan, const Twist& twist,
   for (std::size_t i = 0; i < walls.size(); ++i)
     if (walls[i]) order.push_back(i);
   std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return bearing_of(beams, walls[i]->first_beam); });
+                           [&](std::size_t i) { return beams[walls[i]->first_beam].bearing; });
   const double radius = parameters.corner.connection_radius;
   for (const std::size_t i : order) add_wall(current.map, *walls[i], corners.of_walls[i], radius);
   for (const LoneCorner& corner : corners.lone)

@@ -222,7 +222,7 @@ TEST_F(BadInputTest, BeamsWithoutAReturnAreCountedNotTheScan) {
   const auto& status = settled("PICO_LASER");
   EXPECT_EQ(rejected_on(status, "PICO_LASER"), 0);
   EXPECT_TRUE(status_.wait_until([&] { return published(last(), "CURRENT_MAP") == 1; }));
-  EXPECT_EQ(rejected(last(), "PICO_LASER", "beam: no return"), 5);
+  EXPECT_EQ(rejected(last(), "PICO_LASER", "beam without return"), 5);
   expect_alive();
 }
 

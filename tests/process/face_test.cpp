@@ -64,11 +64,11 @@ INSTANTIATE_TEST_SUITE_P(Every, FaceTest,
 TEST(Face, NamesTheNearestKeyAndTheFile) {
   const ScratchFolder scratch;
   const auto file = scratch / "scan.json";
-  ASSERT_EQ(run({"sh", "-c", "echo '{\"min_lenght\": 0.3}' >" + file.string()}).exit_code, 0);
+  ASSERT_EQ(run({"sh", "-c", "echo '{\"methot\": 1}' >" + file.string()}).exit_code, 0);
   const Finished typo = run({program("pico-scan"), "--config", file});
   EXPECT_EQ(typo.exit_code, 2);
-  for (const std::string& word : {file.string(), std::string("/min_lenght"),
-                                  std::string("did you mean \"min_length\"")})
+  for (const std::string& word : {file.string(), std::string("/methot"),
+                                  std::string("did you mean \"method\"")})
     EXPECT_NE(typo.output.find(word), std::string::npos) << word << " not in " << typo.output;
 }
 

@@ -53,6 +53,14 @@ TEST(Corners, TurnBetweenTwoSmallThingsStandsAlone) {
   EXPECT_LT(distance(turns[0], {1.0, 0.0}), 0.02);
 }
 
+TEST(Corners, EndBesideBeamsWithoutReturnIsNoSpike) {
+  // What lies beside the first wall is unknown, up to the second one far away.
+  const Scene scene = {{{1.5, -1.5}, {1.5, -0.5}}, {{3, 1}, {3, 3}}};
+  const Map map = map_of(sweep(scene, pico_laser(0.01)));
+  ASSERT_EQ(map.objects.size(), 2U);
+  EXPECT_TRUE(seen_by(map, CornerMethod::spike, false).empty());
+}
+
 TEST(Corners, SingleStrayBeamsAreNone) {
   LaserScan scan = sweep({{{2, -2}, {2, 2}}}, pico_laser(0.01));
   scan.ranges[500] = 0.8;

@@ -1,19 +1,13 @@
 #include "tools/logcheck/log_check.hpp"
 
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
-#include <pico/laser_scan_t.hpp>
-#include <pico/position_t.hpp>
 #include <pico/status_t.hpp>
 
-#include "common/bus/status.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/tools/logcheck/fake_publisher.hpp"
 
 namespace perceptor {
 namespace {
@@ -22,52 +16,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-template <class Message>
-LogEvent event(const std::string& channel, const Message& message) {
-  LogEvent e;
-  e.channel = channel;
-  e.timestamp = message.utime;
-  e.data.resize(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(e.data.data(), 0, static_cast<int>(e.data.size()));
-  return e;
-}
-
-/// One start of a component that counts what it publishes, as the real ones do; `log` is what
-/// the logger caught.
-class Publisher {
- public:
-  Publisher(std::vector<LogEvent>& log, const std::string& component, std::int64_t boot)
-      : log_(log), status_(component, boot) {}
-
-  void scan(std::int64_t session, std::int64_t seq, bool caught = true) {
-    pico::laser_scan_t message{};
-    message.num_ranges = 1;
-    message.ranges = {1.0F};
-    send("PICO_LASER", message, session, seq, caught);
-  }
-
-  void position(std::int64_t session, std::int64_t seq, bool caught = true) {
-    send("POSITION", pico::position_t{}, session, seq, caught);
-  }
-
-  void status(bool last = false, bool caught = true) {
-    const auto message = status_.message(static_cast<std::int64_t>(log_.size()) * 1000, last);
-    if (caught) log_.push_back(event(status_.channel(), message));
-  }
-
- private:
-  template <class Message>
-  void send(const std::string& channel, Message message, std::int64_t session, std::int64_t seq,
-            bool caught) {
-    set_stamp(message, {static_cast<std::int64_t>(log_.size()) * 1000, session, seq});
-    status_.published(channel, stamp_of(message));
-    if (caught) log_.push_back(event(channel, message));
-  }
-
-  std::vector<LogEvent>& log_;
-  Status status_;
-};
 
 class Logcheck : public ::testing::Test {
  protected:
@@ -384,90 +332,6 @@ TEST_F(Logcheck, LargeStepsBackOfTheStampsAreListed) {
   EXPECT_EQ(report.first_step_backs[0].to, 1'000'000);
   EXPECT_NEAR(report.duration, 6.0, 1e-9);
   EXPECT_NEAR(report.channels[0].rate, 5.0 / 6.0, 1e-9);
-}
-
-/// The same through a file.
-class LogcheckFile : public Logcheck {
- protected:
-  LogcheckFile() {
-    Publisher bridge(log_, "bridge", 1);
-    bridge.status();
-    for (int i = 0; i < 20; ++i) bridge.scan(10, i);
-    bridge.status(true);
-    LogWriter writer(file());
-    for (const LogEvent& e : log_)
-      writer.write(e.channel, e.timestamp, e.data.data(), e.data.size());
-    writer.close();
-  }
-
-  std::filesystem::path file() const { return folder_ / "a.lcmlog"; }
-
-  std::string bytes() const {
-    std::ifstream in(file());
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
-  void write(const std::string& bytes) const { std::ofstream(file()) << bytes; }
-
-  /// Where event i begins.
-  std::size_t offset(std::size_t i) const {
-    std::size_t offset = 0;
-    for (std::size_t k = 0; k < i; ++k) offset += 28 + log_[k].channel.size() + log_[k].data.size();
-    return offset;
-  }
-
-  testing::TemporaryFolder folder_;
-};
-
-TEST_F(LogcheckFile, AWholeFileIsComplete) {
-  std::int64_t last = 0;
-  const LogReport report =
-      check_log(file(), [&last](std::int64_t done, std::int64_t) { last = done; });
-  EXPECT_EQ(report.verdict(), Verdict::complete);
-  EXPECT_EQ(report.events, 22);
-  EXPECT_EQ(report.size, last);
-}
-
-TEST_F(LogcheckFile, ATruncatedFileIsDamaged) {
-  write(bytes().substr(0, offset(15) + 10));
-  const LogReport report = check_log(file());
-  EXPECT_EQ(report.events, 15);
-  EXPECT_EQ(report.verdict(), Verdict::damaged);
-  EXPECT_EQ(exit_code(report), 1);
-  EXPECT_THAT(report.damage, ElementsAre(LogDamage{static_cast<std::int64_t>(offset(15)), 10}));
-}
-
-TEST_F(LogcheckFile, DamageInTheMiddleCostsOneMessage) {
-  std::string damaged = bytes();
-  damaged[offset(7)] = 'x';
-  write(damaged);
-  const LogReport report = check_log(file());
-  EXPECT_EQ(report.events, 21);
-  ASSERT_EQ(report.damage.size(), 1U);
-  EXPECT_EQ(report.damage[0].offset, static_cast<std::int64_t>(offset(7)));
-  EXPECT_EQ(report.channels[0].channel, "PICO_LASER");
-  EXPECT_THAT(report.channels[0].sessions[0].missing, ElementsAre(SeqRange{6, 6}));
-}
-
-TEST_F(LogcheckFile, AHugeLengthCostsOneMessage) {
-  std::string damaged = bytes();
-  damaged.replace(offset(7) + 24, 4, "\x7F\xFF\xFF\xFF");
-  write(damaged);
-  const LogReport report = check_log(file());
-  EXPECT_EQ(report.events, 21);
-  EXPECT_EQ(report.channels[0].missing, 1);
-}
-
-TEST_F(LogcheckFile, AnEmptyFileProvesNothing) {
-  write("");
-  const LogReport report = check_log(file());
-  EXPECT_EQ(report.events, 0);
-  EXPECT_EQ(report.verdict(), Verdict::not_provable);
-  EXPECT_EQ(exit_code(report), 3);
-}
-
-TEST_F(LogcheckFile, AnAbsentFileIsAnError) {
-  EXPECT_THROW(check_log(folder_ / "absent.lcmlog"), LogError);
 }
 
 }  // namespace
