@@ -6,20 +6,6 @@
 #include "common/bus/channels.hpp"
 
 namespace perceptor {
-namespace {
-
-/// A recorded message's stamp, from its raw bytes: after the fingerprint, every data message
-/// begins with utime, session and seq, each a big-endian int64.
-Stamp stamp_in(Bus::Bytes payload) {
-  const auto int64_at = [&](std::size_t offset) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < 8; ++i) value = value << 8U | payload[offset + i];
-    return static_cast<std::int64_t>(value);
-  };
-  return {int64_at(8), int64_at(16), int64_at(24)};
-}
-
-}  // namespace
 
 struct Bus::Subscription {
   Bus& bus;
@@ -76,7 +62,7 @@ void Bus::publish_recorded(const std::string& channel, Bytes payload) {
   const lcm_type_info_t* type = channel::type_on(channel);
   const auto fault = type ? messages::find_fault(type, payload) : "no channel of ours";
   if (!fault.empty()) return reject(channel, fault);
-  send(channel, payload, stamp_in(payload));
+  send(channel, payload, messages::stamp_in(payload).value_or(Stamp{}));
 }
 
 void Bus::publish_status(std::int64_t utime, bool last) {

@@ -21,6 +21,12 @@ bool turns_left(const std::vector<FootprintCorner>& corners) {
 
 }  // namespace
 
+std::vector<Vector2> outline(const Robot& robot) {
+  std::vector<Vector2> corners;
+  for (const FootprintCorner& corner : robot.footprint) corners.emplace_back(corner.x, corner.y);
+  return corners;
+}
+
 void describe(config::Fields& fields, Position& position) {
   constexpr config::Range kPlace = {-1e4, 1e4};
   fields.number("x", position.x, kPlace, "[m] forward");

@@ -37,6 +37,9 @@ struct Robot {
   LaserMounting laser;
 };
 
+/// The footprint's corners [m], robot frame.
+std::vector<Vector2> outline(const Robot& robot);
+
 void describe(config::Fields& fields, Position& position);
 void describe(config::Fields& fields, FootprintCorner& corner);
 void describe(config::Fields& fields, RobotLimits& limits);

@@ -21,10 +21,23 @@ bool ray_crosses(const Segment& side, const Vector2& point) {
   return point.x() < side.a.x() + fraction * (side.b.x() - side.a.x());
 }
 
+/// Far from the polygon, where most points are.
+bool is_beside(const std::vector<Vector2>& polygon, const Vector2& point) {
+  Vector2 low = polygon.front();
+  Vector2 high = polygon.front();
+  for (const Vector2& corner : polygon) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  constexpr double margin = 2.0 * kEdgeWidth;
+  return ((point - high).array() > margin).any() || ((low - point).array() > margin).any();
+}
+
 }  // namespace
 
 bool contains(const std::vector<Vector2>& polygon, const Vector2& point) {
   if (polygon.size() < 3 || !point.allFinite()) return false;
+  if (is_beside(polygon, point)) return false;
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Segment side{polygon[i], polygon[(i + 1) % polygon.size()]};

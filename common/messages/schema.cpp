@@ -268,4 +268,14 @@ std::string_view find_fault(const lcm_type_info_t* type, std::span<const std::ui
   return Walk(bytes).message(*schema);
 }
 
+std::optional<Stamp> stamp_in(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 32) return std::nullopt;
+  const auto int64_at = [bytes](std::size_t offset) {
+    std::uint64_t value = 0;
+    for (const std::uint8_t byte : bytes.subspan(offset, 8)) value = (value << 8U) | byte;
+    return static_cast<std::int64_t>(value);
+  };
+  return Stamp{int64_at(8), int64_at(16), int64_at(24)};
+}
+
 }  // namespace perceptor::messages

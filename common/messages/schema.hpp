@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include <lcm/lcm_coretypes.h>
 #include <pico/all_types.h>
+
+#include "common/time/stamp.hpp"
 
 namespace pico {
 #define PICO_TYPE(type) class type;
@@ -42,5 +45,9 @@ template <class Message>
 std::string_view find_fault(std::span<const std::uint8_t> bytes) {
   return find_fault(type_info<Message>(), bytes);
 }
+
+/// The stamp that every data message of ours begins with, after the fingerprint; of a STATUS:
+/// utime, boot and seq. None where there are not enough bytes.
+std::optional<Stamp> stamp_in(std::span<const std::uint8_t> bytes);
 
 }  // namespace perceptor::messages

@@ -13,8 +13,7 @@ namespace {
 /// What the robot's own configuration says.
 SimulatorParameters defaults_of(const Robot& robot) {
   SimulatorParameters parameters;
-  for (const FootprintCorner& corner : robot.footprint)
-    parameters.base.footprint.emplace_back(corner.x, corner.y);
+  parameters.base.footprint = outline(robot);
   parameters.base.speed = robot.limits.speed;
   parameters.base.turn_rate = robot.limits.turn_rate;
   parameters.base.acceleration = robot.limits.acceleration;

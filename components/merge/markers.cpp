@@ -35,10 +35,8 @@ void add_origin(Map& map, const Position& robot_in_local) {
   add_marker(map, {inverse(robot_in_local).location()}, ObjectType::origin, "origin", kGrey);
 }
 
-void add_robot(Map& map, const std::vector<FootprintCorner>& footprint) {
-  std::vector<Vector2> outline;
-  for (const FootprintCorner& corner : footprint) outline.emplace_back(corner.x, corner.y);
-  add_marker(map, outline, ObjectType::robot, "robot", kBlue);
+void add_robot(Map& map, const std::vector<Vector2>& footprint) {
+  add_marker(map, footprint, ObjectType::robot, "robot", kBlue);
 }
 
 void add_safe_distance(Map& map, double distance) {

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "common/config/robot.hpp"
 #include "common/model/map.hpp"
 
 namespace perceptor::merge {
@@ -12,7 +11,7 @@ namespace perceptor::merge {
 void add_origin(Map& map, const Position& robot_in_local);
 
 /// The outline of the base, closed.
-void add_robot(Map& map, const std::vector<FootprintCorner>& footprint);
+void add_robot(Map& map, const std::vector<Vector2>& footprint);
 
 /// A closed octagon around the robot's centre whose sides are `distance` [m] away.
 void add_safe_distance(Map& map, double distance);

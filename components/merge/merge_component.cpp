@@ -56,7 +56,7 @@ void MergeComponent::on_current_map(const pico::map_t& message, bool began_anew)
 
   Map map = std::move(local.walls);
   merge::add_origin(map, local.robot_in_local.pose);
-  merge::add_robot(map, config_.robot.footprint);
+  merge::add_robot(map, outline(config_.robot));
   merge::add_safe_distance(map, config_.safe_distance);
   bus_.publish(channel::local_map, to_message(message, local, map));
 }

@@ -16,12 +16,6 @@ namespace {
 /// the past.
 constexpr int kLaserCapacity = 10;
 
-std::vector<Vector2> corners_of(const std::vector<FootprintCorner>& footprint) {
-  std::vector<Vector2> corners;
-  for (const FootprintCorner& corner : footprint) corners.emplace_back(corner.x, corner.y);
-  return corners;
-}
-
 void set_surroundings(pico::proximity_t& message, const Surroundings& surroundings) {
   message.nearest_distance = surroundings.nearest_distance;
   message.nearest_bearing = surroundings.nearest_bearing;
@@ -53,7 +47,7 @@ void describe(config::Fields& fields, ProximityConfig& config) {
 }
 
 ProximityComponent::ProximityComponent(const ProximityConfig& config, Bus& bus)
-    : bus_(bus), parameters_(config.proximity), footprint_(corners_of(config.robot.footprint)) {
+    : bus_(bus), parameters_(config.proximity), footprint_(outline(config.robot)) {
   bus_.subscribe<pico::laser_scan_t>(
       channel::laser, kLaserCapacity,
       [this](const pico::laser_scan_t& message, bool /*began_anew*/) { take(message); });

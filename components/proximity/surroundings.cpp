@@ -13,7 +13,6 @@ namespace perceptor {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kReachMargin = 1e-6;  // [m] for rounding
 
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
@@ -109,13 +108,6 @@ double covered_angle(const LaserScan& scan, const BeamEnd& end, const BeamArc& a
   return std::max(0.0, to - from);
 }
 
-/// No point further than this from the robot's centre lies in the footprint [m].
-double reach(const std::vector<Vector2>& footprint) {
-  double furthest = 0.0;
-  for (const Vector2& corner : footprint) furthest = std::max(furthest, length(corner));
-  return furthest + kReachMargin;
-}
-
 void note_if_nearer(Nearest& nearest, double distance, double bearing) {
   if (distance < nearest.distance) nearest = {distance, bearing};
 }
@@ -123,13 +115,12 @@ void note_if_nearer(Nearest& nearest, double distance, double bearing) {
 std::vector<Tally> tally_beam_ends(const LaserScan& scan, const std::vector<Vector2>& footprint,
                                    const Sectors& sectors, int num_sectors) {
   std::vector<Tally> tallies(static_cast<std::size_t>(num_sectors));
-  const double footprint_reach = reach(footprint);
   std::vector<BeamArc> arcs;  // made when the first beam needs them: few scans do
   for (const BeamEnd& end : beam_ends(scan)) {
     const double bearing = angle(end.location);
     const double distance = length(end.location);
     Tally& tally = tallies[static_cast<std::size_t>(sectors.at(bearing))];
-    if (distance <= footprint_reach && contains(footprint, end.location)) {
+    if (contains(footprint, end.location)) {
       if (arcs.empty()) arcs = beam_arcs(scan.bearings);
       ++tally.inside;
       tally.covered += covered_angle(scan, end, arcs[end.beam], sectors);

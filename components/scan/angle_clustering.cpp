@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// Variance of a point across a direction [m^2].
@@ -74,4 +74,4 @@ std::vector<std::size_t> angle_clusters(const Beams& beams, std::size_t begin, s
   return begins;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

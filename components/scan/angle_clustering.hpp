@@ -12,7 +12,7 @@
 
 #include "components/scan/beams.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// Some beams that follow each other, as one point.
 struct ResampledPoint {
@@ -34,4 +34,4 @@ std::vector<ResampledPoint> resample(const Beams& beams, std::size_t begin, std:
 std::vector<std::size_t> angle_clusters(const Beams& beams, std::size_t begin, std::size_t end,
                                         const ClusterParameters& cluster);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -6,7 +6,7 @@
 
 #include "common/geometry/polygon.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// No range is better known than this [m]: keeps weights finite where a scan claims no noise.
@@ -120,4 +120,4 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<
   return usable;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

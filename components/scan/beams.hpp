@@ -7,7 +7,7 @@
 #include "common/model/laser_scan.hpp"
 #include "components/scan/parameters.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// One beam that returned from something that is not the robot.
 struct Beam {
@@ -54,4 +54,4 @@ double variance_across(const Beam& beam, const Vector2& normal, const NoiseParam
 /// Distance of neighbouring beams on a line with this normal [m].
 double distance_between_beams(const Beams& beams, const Beam& beam, const Vector2& normal);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// A wall ends at a cut where no more than this many beams at the cut do not support it.
@@ -150,4 +150,4 @@ Corners find_corners(const std::vector<Run>& runs, std::vector<std::optional<Wal
   return corners;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

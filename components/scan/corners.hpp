@@ -11,7 +11,7 @@
 #include "common/model/map.hpp"
 #include "components/scan/walls.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// What was seen of the two ends of a wall.
 struct WallCorners {
@@ -36,4 +36,4 @@ struct Corners {
 Corners find_corners(const std::vector<Run>& runs, std::vector<std::optional<Wall>>& walls,
                      const Beams& beams, const ScanParameters& parameters);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// Second moments about the mean, of unit weight.
@@ -103,4 +103,4 @@ Vector2 intersection(const Line& first, const Line& second) {
   return first.point + along * first.direction;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

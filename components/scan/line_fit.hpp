@@ -10,7 +10,7 @@
 
 #include "components/scan/beams.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// Weighted sums over some beams, seen from the laser. Those of two runs add up.
 struct Moments {
@@ -67,4 +67,4 @@ Vector2 intersection(const Line& first, const Line& second);
 /// A line as directed counter-clockwise around the laser.
 Line make_line(const Vector2& point, const Vector2& direction, const Vector2& laser);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

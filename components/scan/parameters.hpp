@@ -1,7 +1,7 @@
 /// @file What can be turned in the scan component, and what moves when it is.
 #pragma once
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// How a stretch of beams is cut at its corners; every other step is shared.
 enum class ScanMethod {
@@ -63,4 +63,4 @@ struct ScanParameters {
   CornerParameters corner;
 };
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

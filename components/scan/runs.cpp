@@ -7,7 +7,7 @@
 
 #include "components/scan/angle_clustering.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// Beams that a run needs for a line and a look at how well it fits.
@@ -250,4 +250,4 @@ std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixM
   return runs;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -6,7 +6,7 @@
 
 #include "components/scan/line_fit.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// Consecutive beams, begin to end - 1; end may pass the seam of a circle.
 struct Run {
@@ -42,4 +42,4 @@ Run past_seam(Run run, const Beams& beams);
 std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixMoments& sums,
                         const ScanParameters& parameters);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

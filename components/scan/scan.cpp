@@ -6,7 +6,7 @@
 #include "components/scan/angle_clustering.hpp"
 #include "components/scan/corners.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 std::vector<std::size_t> cut_at_corners(const Beams& beams, const Run& stretch,
@@ -85,4 +85,4 @@ CurrentMap extract_walls(const LaserScan& scan, const Twist& twist,
   return current;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -14,7 +14,7 @@
 #include "common/model/map.hpp"
 #include "components/scan/parameters.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// What one scan shows, in the robot frame at the time of its first beam.
 struct CurrentMap {
@@ -33,4 +33,4 @@ struct CurrentMap {
 CurrentMap extract_walls(const LaserScan& scan, const Twist& twist,
                          const std::vector<Vector2>& footprint, const ScanParameters& parameters);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

@@ -11,20 +11,10 @@
 #include <pico/laser_scan_t.hpp>
 
 #include "common/bus/bus.hpp"
-#include "common/config/fields.hpp"
-#include "common/config/robot.hpp"
 #include "common/time/aligner.hpp"
-#include "components/scan/parameters.hpp"
+#include "components/scan/scan_config.hpp"
 
 namespace perceptor {
-
-struct ScanConfig {
-  ScanParameters scan;
-  AlignerParameters aligner;
-  Robot robot;
-};
-
-void describe(config::Fields& fields, ScanConfig& config);
 
 class ScanComponent {
  public:
@@ -44,7 +34,7 @@ class ScanComponent {
   void publish_map(const LaserAligner::Paired& paired);
 
   Bus& bus_;
-  ScanParameters parameters_;
+  scan::ScanParameters parameters_;
   std::vector<Vector2> footprint_;  // [m] robot frame
   LaserAligner aligner_;
 };

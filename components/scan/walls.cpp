@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace perceptor {
+namespace perceptor::scan {
 namespace {
 
 /// Fits after which the set of supporting beams has settled, or never will.
@@ -130,4 +130,4 @@ std::optional<Wall> fit_wall(const Run& run, const Beams& beams, const ScanParam
   return wall;
 }
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

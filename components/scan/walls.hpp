@@ -7,7 +7,7 @@
 
 #include "components/scan/runs.hpp"
 
-namespace perceptor {
+namespace perceptor::scan {
 
 /// The end of a wall.
 struct WallEnd {
@@ -33,4 +33,4 @@ double variance_across(const Wall& wall, const Vector2& place);
 /// between its ends, where it is too short, or its direction too uncertain.
 std::optional<Wall> fit_wall(const Run& run, const Beams& beams, const ScanParameters& parameters);
 
-}  // namespace perceptor
+}  // namespace perceptor::scan

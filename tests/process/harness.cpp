@@ -152,13 +152,16 @@ Payloads computed_payloads(const fs::path& log) {
   return payloads;
 }
 
-Recording::Recording(const fs::path& log)
+Recording::Recording(const fs::path& log, const Options& options)
     : logger_({"lcm-logger", "-q", "-f", "-v", "-c", "LCM_SELF_TEST", log.string()}) {
   const auto recording = run({program("pico-watch"), "--wait-log", log.string()});
   if (recording.exit_code != 0) throw std::runtime_error(recording.output);
-  for (const std::string& name : kPerceiving)
-    components_.push_back(
-        std::make_unique<Process>(std::vector<std::string>{program("pico-" + name)}));
+  for (const std::string& name : kPerceiving) {
+    std::vector<std::string> command{program("pico-" + name)};
+    if (const auto own = options.find(name); own != options.end())
+      command.insert(command.end(), own->second.begin(), own->second.end());
+    components_.push_back(std::make_unique<Process>(command));
+  }
   if (!status_.wait_for(kPerceiving)) throw std::runtime_error("not every component is ready");
 }
 

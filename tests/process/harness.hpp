@@ -105,7 +105,10 @@ Payloads computed_payloads(const std::filesystem::path& log);
 /// The five perceiving processes and lcm-logger, started in order; stopped in order.
 class Recording {
  public:
-  explicit Recording(const std::filesystem::path& log);
+  /// What each component gets on its command line beside its name; {"scan", {"--set", "a=b"}}.
+  using Options = std::map<std::string, std::vector<std::string>>;
+
+  explicit Recording(const std::filesystem::path& log, const Options& options = {});
 
   /// Sends SIGINT to each in turn, the logger last, and waits. True: all ended cleanly.
   bool stop();

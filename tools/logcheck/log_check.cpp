@@ -16,17 +16,6 @@ namespace {
 
 constexpr std::size_t kShownStepBacks = 10;
 
-/// After the fingerprint every message begins with three big-endian int64: utime, session and
-/// seq, or for STATUS utime, boot and seq. Only of bytes that passed the check.
-Stamp stamp_in(std::span<const std::uint8_t> bytes) {
-  const auto int64_at = [bytes](std::size_t offset) {
-    std::uint64_t value = 0;
-    for (const std::uint8_t byte : bytes.subspan(offset, 8)) value = (value << 8U) | byte;
-    return static_cast<std::int64_t>(value);
-  };
-  return {int64_at(8), int64_at(16), int64_at(24)};
-}
-
 bool is_data_of_ours(std::string_view channel) {
   const ChannelKind kind = kind_of(channel);
   return kind == ChannelKind::source || kind == ChannelKind::computed;
@@ -45,7 +34,7 @@ void LogCheck::add(const LogEvent& event) {
   std::string_view fault = messages::find_fault(type, event.data);
   Stamp stamp;
   if (fault.empty()) {
-    stamp = stamp_in(event.data);
+    stamp = messages::stamp_in(event.data).value_or(Stamp{});
     fault = messages::fault_of_stamp(stamp);
   }
   if (!fault.empty()) {

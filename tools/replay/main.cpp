@@ -19,13 +19,6 @@ struct Counts {
   std::int64_t last_utime = 0;
 };
 
-/// The utime of a message of ours: the first field after the fingerprint.
-std::int64_t utime_in(const std::vector<std::uint8_t>& payload) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 8; i < 16 && i < payload.size(); ++i) value = value << 8U | payload[i];
-  return static_cast<std::int64_t>(value);
-}
-
 bool is_input(const std::string& channel) { return channel.starts_with("PICO_"); }
 bool is_truth(const std::string& channel) { return channel.starts_with("SIM_"); }
 
@@ -46,7 +39,7 @@ Counts replay(LogReader& reader, LogWriter& writer, const PipelineConfig& config
     if (!is_input(event->channel)) continue;
 
     stamp = event->timestamp;
-    const std::int64_t utime = utime_in(event->data);
+    const std::int64_t utime = messages::stamp_in(event->data).value_or(Stamp{}).utime;
     if (counts.fed++ == 0) {
       counts.first_utime = utime;
       pipeline.publish_status(utime, false);

@@ -78,7 +78,7 @@ TEST(SimulatedDrive, RoomHasItsWallsOnceAndThePoseStaysTrue) {
     }
     const LaserScan scan =
         test::sweep(scene, test::pico_laser(0.01, static_cast<std::uint64_t>(i)), truth);
-    const Map walls = extract_walls(scan, {}, {}, {}).map;
+    const Map walls = scan::extract_walls(scan, {}, {}, {}).map;
     local = merger.update({100'000LL * (i + 1), odometry, {}, walls});
     rejected += local.rejected ? 1 : 0;
     const Position& pose = local.robot_in_local.pose;

@@ -8,6 +8,8 @@
 namespace perceptor::test {
 namespace {
 
+using namespace perceptor::scan;
+
 TEST(Corners, OfTwoWallsLieWhereTheirLinesMeet) {
   const Map map = map_of(sweep(chain({{2.5, -1.5}, {1.5, 0}, {2.5, 1.5}}), pico_laser()));
   const std::vector<Vector2> met = seen_by(map, CornerMethod::intersection, false);

@@ -9,6 +9,8 @@
 namespace perceptor::test {
 namespace {
 
+using namespace perceptor::scan;
+
 Beams beams_of(const LaserScan& scan) { return usable_beams(scan, {}, {}, ScanParameters{}); }
 
 TEST(LineFit, HasNoBadDirection) {

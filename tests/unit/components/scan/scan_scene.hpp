@@ -14,7 +14,7 @@ namespace perceptor::test {
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline Map map_of(const LaserScan& scan, const Twist& twist = {}) {
-  return extract_walls(scan, twist, {}, ScanParameters{}).map;
+  return scan::extract_walls(scan, twist, {}, scan::ScanParameters{}).map;
 }
 
 inline std::vector<Segment> walls_of(const Map& map) {

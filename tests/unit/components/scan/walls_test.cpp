@@ -9,6 +9,8 @@
 namespace perceptor::test {
 namespace {
 
+using namespace perceptor::scan;
+
 // Beams of a noiseless scan of pieces less than 4 m away are less than this apart on them, seen
 // under more than 45 degrees; a wall's loose end is known no better [m].
 constexpr double kBeamSpacing = 0.025;
