@@ -43,8 +43,7 @@ Point to_model(const pico::map_point_t& wire) {
   return point;
 }
 
-pico::map_point_t to_message(const Point& point) {
-  pico::map_point_t wire{};
+void set_point(pico::map_point_t& wire, const Point& point) {
   wire.x = point.location.x();
   wire.y = point.location.y();
   set_covariance(wire.covariance, point.covariance);
@@ -56,7 +55,6 @@ pico::map_point_t to_message(const Point& point) {
   wire.projection_point = point.projection;
   wire.num_parents = count(point.parents);
   wire.parents = point.parents;
-  return wire;
 }
 
 Object to_model(const pico::map_object_t& wire) {
@@ -81,8 +79,7 @@ Object to_model(const pico::map_object_t& wire) {
   return object;
 }
 
-pico::map_object_t to_message(const Object& object) {
-  pico::map_object_t wire{};
+void set_object(pico::map_object_t& wire, const Object& object) {
   wire.id = object.id;
   wire.name = object.name;
   wire.type = static_cast<std::int8_t>(object.type);
@@ -101,7 +98,6 @@ pico::map_object_t to_message(const Object& object) {
   wire.reason = object.reason;
   wire.num_points = count(object.points);
   wire.points = object.points;
-  return wire;
 }
 
 }  // namespace
@@ -147,10 +143,11 @@ Map to_model(const pico::map_t& message) {
 }
 
 void set_map(pico::map_t& message, const Map& map) {
-  message.points.clear();
-  message.objects.clear();
-  for (const Point& point : map.points) message.points.push_back(to_message(point));
-  for (const Object& object : map.objects) message.objects.push_back(to_message(object));
+  message.points.resize(map.points.size());
+  message.objects.resize(map.objects.size());
+  for (std::size_t i = 0; i < map.points.size(); ++i) set_point(message.points[i], map.points[i]);
+  for (std::size_t i = 0; i < map.objects.size(); ++i)
+    set_object(message.objects[i], map.objects[i]);
   message.num_points = count(message.points);
   message.num_objects = count(message.objects);
 }

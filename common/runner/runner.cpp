@@ -5,6 +5,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "common/runner/memory.hpp"
 #include "common/runner/stop_signal.hpp"
 
 namespace perceptor {
@@ -72,6 +73,7 @@ void print_no_bus(std::string_view program, const std::string& lcm_url) {
 
 ExitCode run(const Face& face, const Options& options, const std::function<Work(Bus&)>& start) {
   catch_stop_signals();
+  keep_freed_memory();
   lcm::LCM lcm(options.lcm_url);
   if (!lcm.good()) {
     print_no_bus("pico-" + std::string(face.name), options.lcm_url);

@@ -15,8 +15,10 @@ namespace {
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 struct Nearest {
-  double distance = std::numeric_limits<double>::infinity();
-  double bearing = 0.0;
+  double distance_squared = std::numeric_limits<double>::infinity();
+  Vector2 location = Vector2::Zero();
+
+  bool is_there() const { return std::isfinite(distance_squared); }
 };
 
 /// What ends in one sector.
@@ -90,6 +92,38 @@ class Sectors {
   int number_;
 };
 
+/// Finds the sector of one place after the other. Beams come by bearing, so that most end in the
+/// sector of the one before, and that is seen without an arc tangent.
+class SectorFinder {
+ public:
+  explicit SectorFinder(const Sectors& sectors) : sectors_(sectors) {}
+
+  int at(const Vector2& location) {
+    if (!is_well_inside(location)) go_to(sectors_.at(angle(location)));
+    return sector_;
+  }
+
+ private:
+  /// Further from both borders than rounding reaches.
+  bool is_well_inside(const Vector2& location) const {
+    const double margin = 1e-9 * location.lpNorm<1>();
+    return cross(begin_, location) > margin && cross(location, end_) > margin;
+  }
+
+  void go_to(int sector) {
+    const double begin = sector * sectors_.width() - std::numbers::pi;
+    const double end = begin + sectors_.width();
+    sector_ = sector;
+    begin_ = {std::cos(begin), std::sin(begin)};
+    end_ = {std::cos(end), std::sin(end)};
+  }
+
+  Sectors sectors_;
+  int sector_ = 0;
+  Vector2 begin_ = Vector2::Zero();  // directions of its borders; zero: not yet known
+  Vector2 end_ = Vector2::Zero();
+};
+
 /// How much of the sector in which the beam ends is covered by what the beam stands for, seen
 /// from the robot's centre [rad].
 double covered_angle(const LaserScan& scan, const BeamEnd& end, const BeamArc& arc,
@@ -108,26 +142,26 @@ double covered_angle(const LaserScan& scan, const BeamEnd& end, const BeamArc& a
   return std::max(0.0, to - from);
 }
 
-void note_if_nearer(Nearest& nearest, double distance, double bearing) {
-  if (distance < nearest.distance) nearest = {distance, bearing};
+void note_if_nearer(Nearest& nearest, const Nearest& other) {
+  if (other.distance_squared < nearest.distance_squared) nearest = other;
 }
 
 std::vector<Tally> tally_beam_ends(const LaserScan& scan, const std::vector<Vector2>& footprint,
                                    const Sectors& sectors, int num_sectors) {
   std::vector<Tally> tallies(static_cast<std::size_t>(num_sectors));
   std::vector<BeamArc> arcs;  // made when the first beam needs them: few scans do
+  SectorFinder finder(sectors);
   for (const BeamEnd& end : beam_ends(scan)) {
-    const double bearing = angle(end.location);
-    const double distance = length(end.location);
-    Tally& tally = tallies[static_cast<std::size_t>(sectors.at(bearing))];
+    const Nearest here{end.location.squaredNorm(), end.location};
+    Tally& tally = tallies[static_cast<std::size_t>(finder.at(end.location))];
     if (contains(footprint, end.location)) {
       if (arcs.empty()) arcs = beam_arcs(scan.bearings);
       ++tally.inside;
       tally.covered += covered_angle(scan, end, arcs[end.beam], sectors);
-      note_if_nearer(tally.nearest_inside, distance, bearing);
+      note_if_nearer(tally.nearest_inside, here);
     } else {
       ++tally.outside;
-      note_if_nearer(tally.nearest_outside, distance, bearing);
+      note_if_nearer(tally.nearest_outside, here);
     }
   }
   return tallies;
@@ -146,10 +180,11 @@ Sector judge(const Tally& tally, double sector_width, const ProximityParameters&
   sector.blind = usable < parameters.min_beams_for_seen;
 
   Nearest nearest = tally.nearest_outside;
-  if (sector.contact)
-    note_if_nearer(nearest, tally.nearest_inside.distance, tally.nearest_inside.bearing);
-  sector.distance = nearest.distance;
-  sector.bearing = nearest.bearing;
+  if (sector.contact) note_if_nearer(nearest, tally.nearest_inside);
+  if (nearest.is_there()) {
+    sector.distance = length(nearest.location);
+    sector.bearing = angle(nearest.location);
+  }
   sector.too_close = sector.contact || sector.distance < parameters.radius;
   return sector;
 }
@@ -163,15 +198,15 @@ Surroundings look_around(const LaserScan& scan, const std::vector<Vector2>& foot
       tally_beam_ends(scan, footprint, sectors, parameters.num_sectors);
 
   Surroundings surroundings;
-  Nearest nearest;
   for (const Tally& tally : tallies) {
     const Sector sector = judge(tally, sectors.width(), parameters);
-    note_if_nearer(nearest, sector.distance, sector.bearing);
+    if (sector.distance < surroundings.nearest_distance) {
+      surroundings.nearest_distance = sector.distance;
+      surroundings.nearest_bearing = sector.bearing;
+    }
     surroundings.sectors.push_back(sector);
     if (!sector.contact) surroundings.own_beams += tally.inside;
   }
-  surroundings.nearest_distance = nearest.distance;
-  surroundings.nearest_bearing = nearest.bearing;
   return surroundings;
 }
 

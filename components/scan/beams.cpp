@@ -95,7 +95,7 @@ Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<
   if (ends.empty()) return usable;
 
   const bool has_footprint = footprint.size() >= 3;
-  usable.beams.reserve(2 * ends.size());
+  usable.beams.reserve(ends.size());
   for (const BeamEnd& end : ends) {
     if (has_footprint && contains(footprint, end.location))
       ++usable.in_footprint;

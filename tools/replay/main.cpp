@@ -5,6 +5,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/log/event_log.hpp"
+#include "common/runner/memory.hpp"
 #include "tools/cli.hpp"
 #include "tools/progress.hpp"
 #include "tools/replay/pipeline.hpp"
@@ -31,21 +32,22 @@ Counts replay(LogReader& reader, LogWriter& writer, const PipelineConfig& config
   Counts counts;
   std::int64_t next_status = 0;
   Progress progress("replaying", reader.size());
-  while (const auto event = reader.next()) {
+  LogEvent event;
+  while (reader.next(event)) {
     ++counts.events;
     progress.at(reader.offset());
-    if (is_truth(event->channel))
-      writer.write(event->channel, event->timestamp, event->data.data(), event->data.size());
-    if (!is_input(event->channel)) continue;
+    if (is_truth(event.channel))
+      writer.write(event.channel, event.timestamp, event.data.data(), event.data.size());
+    if (!is_input(event.channel)) continue;
 
-    stamp = event->timestamp;
-    const std::int64_t utime = messages::stamp_in(event->data).value_or(Stamp{}).utime;
+    stamp = event.timestamp;
+    const std::int64_t utime = messages::stamp_in(event.data).value_or(Stamp{}).utime;
     if (counts.fed++ == 0) {
       counts.first_utime = utime;
       pipeline.publish_status(utime, false);
       next_status = utime + kMicrosecondsPerSecond;
     }
-    pipeline.feed(event->channel, event->data);
+    pipeline.feed(event.channel, event.data);
     counts.last_utime = utime;
     if (utime >= next_status) {
       pipeline.publish_status(utime, false);
@@ -65,6 +67,7 @@ struct ReplayOptions {
 };
 
 int replay_log(const ReplayOptions& options) {
+  keep_freed_memory();
   const PipelineConfig config = load_pipeline_config(options.config_dir, options.overrides);
   LogReader reader(options.in);
   LogWriter writer(options.out);
@@ -87,9 +90,10 @@ int replay_log(const ReplayOptions& options) {
 
 int main(int argc, char** argv) {
   perceptor::ReplayOptions options;
-  CLI::App app{"Runs a log through locate, proximity, scan, merge and identify in one process, "
-               "as fast as it goes. The same log gives the same bytes, whenever and wherever.",
-               "pico-replay"};
+  CLI::App app{
+      "Runs a log through locate, proximity, scan, merge and identify in one process, "
+      "as fast as it goes. The same log gives the same bytes, whenever and wherever.",
+      "pico-replay"};
   app.add_option("IN", options.in, "an LCM event log; its PICO_* channels are the input")
       ->required();
   app.add_option("OUT", options.out,
@@ -98,7 +102,8 @@ int main(int argc, char** argv) {
   app.add_option("--config-dir", options.config_dir, "folder of the components' JSON files")
       ->capture_default_str();
   app.add_option("--set", options.overrides, "component.key=value, as in scan.aligner.max_gap=3");
-  app.footer("Example:\n"
-             "  pico-replay drive.lcmlog replayed.lcmlog --set scan.aligner.max_gap=3");
+  app.footer(
+      "Example:\n"
+      "  pico-replay drive.lcmlog replayed.lcmlog --set scan.aligner.max_gap=3");
   return perceptor::run_tool(app, argc, argv, [&] { return perceptor::replay_log(options); });
 }
