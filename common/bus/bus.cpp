@@ -15,6 +15,7 @@ struct Bus::Subscription {
 
   void receive(Bytes bytes) {
     const auto started = std::chrono::steady_clock::now();
+    const std::int64_t sent_before = bus.sent_;
     bus.status_.received(channel);
     // An exception that leaves a handler makes the next lcm_handle abort the process.
     try {
@@ -22,6 +23,7 @@ struct Bus::Subscription {
     } catch (const std::exception&) {
       bus.reject(channel, "failed while it was processed");
     }
+    if (bus.sent_ == sent_before) return;  // it only waits, or was turned down
     const std::chrono::duration<double, std::micro> spent =
         std::chrono::steady_clock::now() - started;
     bus.status_.processing_time(spent.count());
@@ -37,10 +39,10 @@ Bus::~Bus() {
 }
 
 void Bus::subscribe_bytes(const std::string& channel, int capacity,
-                          std::function<std::string_view(Bytes)> take) {
-  status_.add_input(channel);
-  auto& subscription = *subscriptions_.emplace_back(
-      std::make_unique<Subscription>(*this, channel, std::move(take)));
+                          std::function<std::string_view(Bytes)> take, bool waits) {
+  status_.add_input(channel, waits);
+  auto& subscription =
+      *subscriptions_.emplace_back(std::make_unique<Subscription>(*this, channel, std::move(take)));
   subscription.handle = lcm_subscribe(
       input_.getUnderlyingLCM(), channel.c_str(),
       [](const lcm_recv_buf_t* buffer, const char*, void* self) {
@@ -56,6 +58,7 @@ void Bus::send(const std::string& channel, Bytes payload, const Stamp& stamp) {
   if (output_.publish(channel, payload.data(), static_cast<unsigned>(payload.size())) != 0)
     return count(channel, "the bus did not take it", 1);
   status_.published(channel, stamp);
+  ++sent_;
 }
 
 void Bus::publish_recorded(const std::string& channel, Bytes payload) {

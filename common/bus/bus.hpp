@@ -69,14 +69,16 @@ class Bus {
  private:
   struct Subscription;
 
-  /// `take` gives the reason why it turns the bytes down; empty: it took them.
+  /// `take` gives the reason why it turns the bytes down; empty: it took them. `waits`: STATUS
+  /// says so while nothing has come.
   void subscribe_bytes(const std::string& channel, int capacity,
-                       std::function<std::string_view(Bytes)> take);
+                       std::function<std::string_view(Bytes)> take, bool waits);
   void send(const std::string& channel, Bytes payload, const Stamp& stamp);
 
   lcm::LCM& input_;
   lcm::LCM& output_;
   Status& status_;
+  std::int64_t sent_ = 0;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
 };
 
@@ -106,32 +108,33 @@ std::string_view order_fault(Continuity continuity);
 template <class Message>
 void Bus::subscribe(const std::string& channel, int capacity,
                     std::function<void(const Message&, bool began_anew)> handler) {
-  subscribe_bytes(channel, capacity,
-                  [this, channel, handler = std::move(handler),
-                   watch = ContinuityWatch()](Bytes bytes) mutable -> std::string_view {
-                    Message message;
-                    if (const auto fault = detail::decode(bytes, message); !fault.empty())
-                      return fault;
-                    const Continuity continuity = watch.check(stamp_of(message));
-                    if (const auto fault = detail::order_fault(continuity); !fault.empty())
-                      return fault;
-                    status_.accepted(channel, stamp_of(message), watch);
-                    handler(message, continuity == Continuity::began_anew);
-                    return {};
-                  });
+  subscribe_bytes(
+      channel, capacity,
+      [this, channel, handler = std::move(handler),
+       watch = ContinuityWatch()](Bytes bytes) mutable -> std::string_view {
+        Message message;
+        if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
+        const Continuity continuity = watch.check(stamp_of(message));
+        if (const auto fault = detail::order_fault(continuity); !fault.empty()) return fault;
+        status_.accepted(channel, stamp_of(message), watch);
+        handler(message, continuity == Continuity::began_anew);
+        return {};
+      },
+      true);
 }
 
 template <class Message>
 void Bus::subscribe_command(const std::string& channel, int capacity,
                             std::function<void(const Message&)> handler) {
-  subscribe_bytes(channel, capacity,
-                  [handler = std::move(handler)](Bytes bytes) -> std::string_view {
-                    Message message;
-                    if (const auto fault = detail::decode(bytes, message); !fault.empty())
-                      return fault;
-                    handler(message);
-                    return {};
-                  });
+  subscribe_bytes(
+      channel, capacity,
+      [handler = std::move(handler)](Bytes bytes) -> std::string_view {
+        Message message;
+        if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
+        handler(message);
+        return {};
+      },
+      false);
 }
 
 template <class Message>

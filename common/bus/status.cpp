@@ -50,7 +50,7 @@ std::string Status::channel() const {
   return name;
 }
 
-void Status::add_input(const std::string& channel) { inputs_[channel]; }
+void Status::add_input(const std::string& channel, bool waits) { inputs_[channel].waits = waits; }
 
 void Status::received(const std::string& channel) { ++inputs_[channel].received; }
 
@@ -98,7 +98,8 @@ void Status::set_note(std::string_view note) { note_ = note; }
 std::string Status::note() const {
   std::string waits;
   for (const auto& [channel, input] : inputs_)
-    if (input.received == 0) waits += (waits.empty() ? "waiting for " : ", ") + channel;
+    if (input.waits && input.received == 0)
+      waits += (waits.empty() ? "waiting for " : ", ") + channel;
   std::string text = waits;
   for (const std::string& part : {degraded_, note_})
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;

@@ -25,7 +25,8 @@ class Status {
   /// STATUS_<NAME>
   std::string channel() const;
 
-  void add_input(const std::string& channel);
+  /// `waits`: without it the component has nothing to do, and the note says that it waits.
+  void add_input(const std::string& channel, bool waits = true);
 
   /// A message came in, good or bad.
   void received(const std::string& channel);
@@ -41,7 +42,7 @@ class Status {
 
   void published(const std::string& channel, const Stamp& stamp);
 
-  /// Of one message [us].
+  /// Of one message that led to output [us].
   void processing_time(double microseconds);
 
   /// A promise is suspended; every STATUS says so from now on, with the first reason.
@@ -58,6 +59,7 @@ class Status {
 
  private:
   struct Input {
+    bool waits = true;
     std::int64_t received = 0;
     std::int64_t rejected = 0;
     std::int64_t missed = 0;

@@ -6,8 +6,12 @@
 namespace perceptor {
 namespace {
 
+/// A slower turn [rad/s] bends the way of no sweep by as much as rounding does.
+constexpr double kSlowestTurn = 1e-12;
+
 /// Where the laser is while the robot moves at constant twist and the laser sweeps: the same as
-/// compose(move(twist, seconds), laser_in_robot), for thousands of beams a sweep.
+/// compose(move(twist, seconds), laser_in_robot), for thousands of beams a sweep. A robot that
+/// turns does so about a centre, and its laser goes round that in a circle.
 class SweepingLaser {
  public:
   /// Robot frame at the time of the first beam.
@@ -17,25 +21,30 @@ class SweepingLaser {
   };
 
   SweepingLaser(const Position& laser_in_robot, const Twist& twist)
-      : laser_in_robot_(laser_in_robot), offset_(laser_in_robot.location()), twist_(twist) {}
+      : start_(laser_in_robot), velocity_(twist.vx, twist.vy), turn_rate_(twist.va) {
+    if (!turns()) return;
+    along_circle_ = velocity_ / turn_rate_ + perpendicular(start_.location());
+    to_centre_ = perpendicular(along_circle_);
+  }
 
   Place at(double seconds) const {
-    const double turn = twist_.va * seconds;
-    const Vector2 travel(twist_.vx * seconds, twist_.vy * seconds);
-    if (turn == 0.0) return {travel + offset_, laser_in_robot_.a};
+    if (!turns()) return {start_.location() + seconds * velocity_, start_.a};
+    const double turn = turn_rate_ * seconds;
     // Both sin(turn) and 1 - cos(turn) without cancellation, from half of the turn.
     const double half_sine = std::sin(0.5 * turn);
     const double sine = 2.0 * half_sine * std::cos(0.5 * turn);
     const double versine = 2.0 * half_sine * half_sine;
-    const Vector2 robot = sine / turn * travel + versine / turn * perpendicular(travel);
-    const Vector2 turned_offset = offset_ + sine * perpendicular(offset_) - versine * offset_;
-    return {robot + turned_offset, laser_in_robot_.a + turn};
+    return {start_.location() + sine * along_circle_ + versine * to_centre_, start_.a + turn};
   }
 
  private:
-  Position laser_in_robot_;
-  Vector2 offset_;
-  Twist twist_;
+  bool turns() const { return std::abs(turn_rate_) > kSlowestTurn; }
+
+  Position start_;
+  Vector2 velocity_;                        // [m/s]
+  double turn_rate_;                        // [rad/s]
+  Vector2 to_centre_ = Vector2::Zero();     // [m] of the circle, from the start
+  Vector2 along_circle_ = Vector2::Zero();  // [m] as long, in the direction of the motion
 };
 
 }  // namespace

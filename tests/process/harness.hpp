@@ -1,8 +1,6 @@
 /// @file Real executables on a private bus, for tests.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +13,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 #include <pico/status_t.hpp>
+#include <sys/types.h>
 
 #include "common/log/event_log.hpp"
 

@@ -87,11 +87,11 @@ Scan points_of(const pico::laser_scan_t& message) {
 Recorded replayed() {
   const ScratchFolder scratch;
   std::ofstream(scratch / "recording.log") << testing::unpacked(*testing::recorded(kFile));
-  for (const auto& command : {
-           std::vector<std::string>{program("pico-convert"), "--still", scratch / "recording.log",
-                                    scratch / "in.lcmlog"},
-           std::vector<std::string>{program("pico-replay"), scratch / "in.lcmlog",
-                                    scratch / "out.lcmlog"}}) {
+  for (const auto& command :
+       {std::vector<std::string>{program("pico-convert"), "--still", scratch / "recording.log",
+                                 scratch / "in.lcmlog"},
+        std::vector<std::string>{program("pico-replay"), scratch / "in.lcmlog",
+                                 scratch / "out.lcmlog"}}) {
     const Finished finished = run(command);
     EXPECT_EQ(finished.exit_code, 0) << finished.output;
   }
@@ -100,8 +100,7 @@ Recorded replayed() {
   while (const auto event = reader.next()) {
     if (event->channel == channel::laser)
       all.scans.push_back(points_of(decoded<pico::laser_scan_t>(*event)));
-    if (event->channel == channel::current_map)
-      all.current.push_back(decoded<pico::map_t>(*event));
+    if (event->channel == channel::current_map) all.current.push_back(decoded<pico::map_t>(*event));
     if (event->channel == channel::local_map) all.local.push_back(decoded<pico::map_t>(*event));
     if (event->channel == channel::identified_map)
       all.identified.push_back(decoded<pico::map_t>(*event));

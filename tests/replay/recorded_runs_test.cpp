@@ -29,7 +29,7 @@ void PrintTo(const RecordedRun& run, std::ostream* out) { *out << run.name; }
 
 /// What was on the bus.
 struct Heard {
-  std::map<std::string, pico::status_t> last_status;  ///< by component
+  std::map<std::string, pico::status_t> last_status;      ///< by component
   std::map<std::string, std::vector<std::int64_t>> seqs;  ///< of maps, by channel
 };
 
@@ -70,9 +70,8 @@ std::int64_t dropped_scans(const pico::status_t& scan) {
 std::int64_t undecided_scans(const TextRecording& text) {
   const bool still = text.last_odometry == 0.0;
   if (still) return 0;
-  return std::ranges::count_if(text.scans, [&](const TextScan& scan) {
-    return scan.time > text.last_odometry + 0.001;
-  });
+  return std::ranges::count_if(
+      text.scans, [&](const TextScan& scan) { return scan.time > text.last_odometry + 0.001; });
 }
 
 class RecordedRuns : public ::testing::TestWithParam<RecordedRun> {};
@@ -102,8 +101,8 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
   }
   const fs::path live = scratch / "live.lcmlog";
   Recording recording(live, options);
-  const Finished bridge = run({program("pico-bridge"), "--source", "log:" + converted.string(),
-                               "--speed", run_of.speed});
+  const Finished bridge = run(
+      {program("pico-bridge"), "--source", "log:" + converted.string(), "--speed", run_of.speed});
   EXPECT_EQ(bridge.exit_code, 0) << bridge.output;
   EXPECT_TRUE(recording.stop());
 
@@ -120,9 +119,9 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
   const auto without_return = [&](std::int64_t sum, std::int64_t seq) {
     return sum + expected.scans.at(static_cast<std::size_t>(seq)).beams_without_return;
   };
-  EXPECT_EQ(rejected(scan, channel::laser, "beam without return"),
-            std::accumulate(current_maps.begin(), current_maps.end(), std::int64_t{0},
-                            without_return));
+  EXPECT_EQ(
+      rejected(scan, channel::laser, "beam without return"),
+      std::accumulate(current_maps.begin(), current_maps.end(), std::int64_t{0}, without_return));
   EXPECT_EQ(received(heard.last_status["proximity"], channel::laser), scans);
 
   EXPECT_EQ(std::set<std::int64_t>(current_maps.begin(), current_maps.end()).size(),

@@ -36,12 +36,12 @@ TextRecording read_text(const std::string& text) {
     } else if (keyword == "LASER" || keyword == "LASERA") {
       TextScan scan;
       scan.time = number(words);
-      const int before_count = keyword == "LASER" ? 3 : 1;
+      const bool has_bearings = keyword == "LASERA";
+      const int before_count = has_bearings ? 1 : 3;
       for (int i = 0; i < before_count; ++i) number(words);
       const auto beams = static_cast<std::int64_t>(number(words));
-      const std::int64_t bearings = keyword == "LASERA" ? beams : 0;
-      for (std::int64_t i = 0; i < bearings; ++i) number(words);
       for (std::int64_t i = 0; i < beams; ++i) {
+        if (has_bearings) number(words);
         const auto range = static_cast<double>(static_cast<float>(number(words)));
         const bool returned = std::isfinite(range) && range >= valid_min && range <= valid_max;
         if (!returned) ++scan.beams_without_return;

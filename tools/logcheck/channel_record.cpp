@@ -108,7 +108,7 @@ SessionRecord& ChannelRecord::add(std::int64_t session, std::int64_t seq) {
 }
 
 ChannelKind kind_of(std::string_view name) {
-  if (name == "LCM_SELF_TEST") return ChannelKind::internal;
+  if (name == "LCM_SELF_TEST" || name == "LOG_PROBE") return ChannelKind::internal;
   if (channel::type_on(name) == nullptr) return ChannelKind::foreign;
   if (name.starts_with(channel::status_prefix)) return ChannelKind::status;
   // What stands in the world is sent once a second, with the seq of the scan.

@@ -63,7 +63,22 @@ TEST_F(BusTest, HandsOnGoodMessagesInOrder) {
   EXPECT_EQ(status.inputs[0].received, 2);
   EXPECT_EQ(status.inputs[0].rejected, 0);
   EXPECT_EQ(status.inputs[0].last_utime, 200);
-  EXPECT_EQ(status.processed, 2);
+  EXPECT_EQ(status.processed, 0) << "nothing came of them";
+}
+
+TEST_F(BusTest, TakesTheTimeOfMessagesThatLeadToOutput) {
+  bus_.subscribe<pico::odometry_t>(channel::odometry, 10,
+                                   [this](const pico::odometry_t& odometry, bool) {
+                                     if (odometry.seq % 2 == 0)
+                                       bus_.publish(channel::position, pico::position_t{});
+                                   });
+  for (int i = 0; i < 10; ++i) send(odometry(100 + i, 1, i));
+  EXPECT_EQ(status_.message(0, false).processed, 5);
+}
+
+TEST_F(BusTest, DoesNotWaitForCommands) {
+  bus_.subscribe_command<pico::velocity_t>(channel::velocity, 5, [](const pico::velocity_t&) {});
+  EXPECT_EQ(status_.message(0, false).note, "");
 }
 
 TEST_F(BusTest, CountsWhatIsNoMessageOfTheTypeAndLivesOn) {
