@@ -121,8 +121,8 @@ pico::status_t Status::message(std::int64_t utime, bool last) {
   status.seq = seq_++;
   status.component = component_;
   status.version = PERCEPTOR_VERSION;
-  status.degraded = !degraded_.empty();
-  status.last = last;
+  status.degraded = degraded_.empty() ? 0 : 1;
+  status.last = last ? 1 : 0;
   status.note = note();
 
   for (auto& [channel, input] : inputs_) {
@@ -174,6 +174,7 @@ pico::status_t Status::message(std::int64_t utime, bool last) {
 
 std::vector<std::string> Status::take_news() {
   std::vector<std::string> lines;
+  lines.reserve(news_.size());
   for (const auto& [reason, count] : news_)
     lines.push_back(reason.first + ": rejected " + std::to_string(count) + " (" + reason.second +
                     ")");

@@ -19,7 +19,7 @@ void read_file(const std::filesystem::path& file, const Describe& describe) {
 /// Reads a file into the group "robot"; where there is no such group, the file stays unread.
 class RobotFile final : public Fields {
  public:
-  explicit RobotFile(const std::filesystem::path& file) : file_(file) {}
+  explicit RobotFile(std::filesystem::path file) : file_(std::move(file)) {}
 
   void group_of(std::string_view key, const std::function<void(Fields&)>& inner,
                 std::string_view /*help*/) override {

@@ -1,4 +1,6 @@
 /// @file config::print: the present values as JSON, in the order of description.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "common/config/fields.hpp"
@@ -53,9 +55,8 @@ class Printer final : public Fields {
 };
 
 bool is_flat(const Json& object) {
-  for (const Json& value : object)
-    if (value.is_structured() && !value.empty()) return false;
-  return true;
+  return std::all_of(object.begin(), object.end(),
+                     [](const Json& value) { return !value.is_structured() || value.empty(); });
 }
 
 /// As JSON's own dump writes a value, save that what is no UTF-8 does not throw.

@@ -23,6 +23,7 @@ bool turns_left(const std::vector<FootprintCorner>& corners) {
 
 std::vector<Vector2> outline(const Robot& robot) {
   std::vector<Vector2> corners;
+  corners.reserve(robot.footprint.size());
   for (const FootprintCorner& corner : robot.footprint) corners.emplace_back(corner.x, corner.y);
   return corners;
 }

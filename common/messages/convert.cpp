@@ -127,7 +127,7 @@ LaserScan to_model(const pico::laser_scan_t& scan) {
   }
   model.bearings.reserve(model.size());
   for (std::size_t beam = 0; beam < model.size(); ++beam) {
-    const double steps = static_cast<double>(beam);
+    const auto steps = static_cast<double>(beam);
     model.bearings.push_back(scan.angle_min + steps * scan.angle_increment);
   }
   return model;

@@ -13,7 +13,7 @@
 #include "common/time/stamp.hpp"
 
 namespace pico {
-#define PICO_TYPE(type) class type;
+#define PICO_TYPE(type) class type;  // NOLINT(bugprone-macro-parentheses): a name
 #include <pico/all_types.inc>
 #undef PICO_TYPE
 }  // namespace pico

@@ -28,9 +28,15 @@ std::string footer(const Face& face, const config::Describe& describe) {
          config::explain(describe) +
          "\n"
          "Examples:\n"
-         "  pico-" + name + " --print-config\n"
-         "  pico-" + name + " --config my_" + name + ".json --set KEY=VALUE\n"
-         "  pico-" + name + " --lcm-url 'udpm://239.255.76.67:7667?ttl=0'\n"
+         "  pico-" +
+         name +
+         " --print-config\n"
+         "  pico-" +
+         name + " --config my_" + name +
+         ".json --set KEY=VALUE\n"
+         "  pico-" +
+         name +
+         " --lcm-url 'udpm://239.255.76.67:7667?ttl=0'\n"
          "Exit codes: 0 finished or stopped, 1 failed, 2 command line or configuration.";
 }
 

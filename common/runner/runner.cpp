@@ -57,6 +57,7 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, const Work& work) {
     }
   }
   drain(lcm);
+  work.finish();
   bus.publish_status(wall_now(), true);
   print_news(face, bus.status());
   return kExitOk;

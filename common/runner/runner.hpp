@@ -8,6 +8,8 @@
 /// and, where it is a source that works by itself, not only when a message comes,
 ///   std::int64_t step(std::int64_t now);    // [us], monotonic; gives when to be called next
 ///   bool finished() const;                  // nothing more will come
+/// and, where it has to account for something before its last STATUS,
+///   void finish();                          // nothing more will be handled
 /// It may add command-line options that stand for a configuration key:
 ///   static constexpr std::array<std::pair<std::string_view, std::string_view>, N> kShortcuts;
 /// and learn the folder of the configuration files through `Config::config_dir`.
@@ -53,10 +55,11 @@ struct Options {
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const Face& face,
                                                   const config::Describe& describe);
 
-/// What drives a source; empty functions for any other component.
+/// What the runner calls of a component.
 struct Work {
   std::function<std::int64_t(std::int64_t now)> step;
   std::function<bool()> finished;
+  std::function<void()> finish;
 };
 
 /// Opens the bus, makes the component, and handles messages until a signal comes or the
@@ -85,12 +88,15 @@ int run_component(int argc, char** argv) {
 
   return run(face, chosen, [&config](Bus& bus) -> Work {
     auto component = std::make_shared<Component>(config, bus);
-    if constexpr (requires { component->step(std::int64_t{}); })
-      return {[component](std::int64_t now) { return component->step(now); },
-              [component] { return component->finished(); }};
-    else
-      return {[component](std::int64_t now) { return now + 3600 * kMicrosecondsPerSecond; },
-              [] { return false; }};
+    Work work = {[](std::int64_t now) { return now + 3600 * kMicrosecondsPerSecond; },
+                 [] { return false; }, [component] {}};
+    if constexpr (requires { component->step(std::int64_t{}); }) {
+      work.step = [component](std::int64_t now) { return component->step(now); };
+      work.finished = [component] { return component->finished(); };
+    }
+    if constexpr (requires { component->finish(); })
+      work.finish = [component] { component->finish(); };
+    return work;
   });
 }
 

@@ -65,6 +65,12 @@ class Aligner {
     return std::nullopt;
   }
 
+  /// Gives up on what still waits, oldest first: no more positions will come.
+  std::optional<Dropped> abandon() {
+    if (waiting_.empty()) return std::nullopt;
+    return drop_oldest(drop_reason::after_last);
+  }
+
   /// Whether arrival order has had a say: a buffer overflowed, or a position was extrapolated.
   bool depends_on_arrival() const { return overflowed_ || history_.depends_on_arrival(); }
 
@@ -85,7 +91,7 @@ class Aligner {
     return false;
   }
 
-  Outcome drop_oldest(std::string_view reason) {
+  Dropped drop_oldest(std::string_view reason) {
     const Dropped dropped{waiting_.front().stamp, reason};
     waiting_.pop_front();
     return dropped;

@@ -10,9 +10,9 @@ namespace perceptor {
 
 enum class Continuity {
   continues,
-  began_anew,     ///< first message, new session, or time stepped back by more than 2 s
-  stepped_back,   ///< a smaller step back: to be dropped
-  repeated,       ///< the utime of the message before: to be dropped
+  began_anew,    ///< first message, new session, or time stepped back by more than 2 s
+  stepped_back,  ///< a smaller step back: to be dropped
+  repeated,      ///< the utime of the message before: to be dropped
 };
 
 /// Watches the stamps of one channel, in the order in which they arrive.

@@ -51,8 +51,7 @@ PositionHistory::Fate PositionHistory::decide(const Stamp& item, bool began_anew
   return Wait{};
 }
 
-PositionHistory::Fate PositionHistory::decide_in(const TrackSegment& segment,
-                                                 std::int64_t utime) {
+PositionHistory::Fate PositionHistory::decide_in(const TrackSegment& segment, std::int64_t utime) {
   const auto& samples = segment.samples;
   const auto candidate = std::ranges::lower_bound(samples, utime - kSameTime, {}, &Sample::utime);
   const auto index = static_cast<std::size_t>(candidate - samples.begin());
@@ -89,9 +88,8 @@ Twist PositionHistory::twist_up_to(const TrackSegment& segment, std::size_t samp
   return twist_between(from.robot_in_zero, to.robot_in_zero, width);
 }
 
-AlignedPosition PositionHistory::aligned(const TrackSegment& segment,
-                                         const Position& robot_in_zero,
-                                         const Twist& twist) const {
+AlignedPosition PositionHistory::aligned(const TrackSegment& segment, const Position& robot_in_zero,
+                                         const Twist& twist) {
   return {robot_in_zero, twist, segment.zero_utime, false};
 }
 

@@ -85,16 +85,16 @@ class PositionHistory {
 
   Fate decide_in(const TrackSegment& segment, std::int64_t utime);
   Twist twist_up_to(const TrackSegment& segment, std::size_t sample) const;
-  AlignedPosition aligned(const TrackSegment& segment, const Position& robot_in_zero,
-                          const Twist& twist) const;
+  static AlignedPosition aligned(const TrackSegment& segment, const Position& robot_in_zero,
+                                 const Twist& twist);
   void forget_oldest();
 
   AlignerParameters parameters_;
   std::deque<TrackSegment> segments_;
   std::size_t samples_ = 0;
   std::int64_t segments_made_ = 0;
-  std::int64_t first_allowed_ = 0;             ///< items do not look in earlier segments
-  std::optional<std::int64_t> last_paired_in_; ///< number of a segment
+  std::int64_t first_allowed_ = 0;              ///< items do not look in earlier segments
+  std::optional<std::int64_t> last_paired_in_;  ///< number of a segment
   bool depends_on_arrival_ = false;
 };
 

@@ -19,9 +19,10 @@ std::int64_t session_of(const BridgeConfig& config) {
 
 BridgeComponent::BridgeComponent(const BridgeConfig& config, Bus& bus) {
   if (config.source == "sim") {
-    sim_.emplace(config, session_of(config), bus);
+    sim_ = std::make_unique<SimSource>(config, session_of(config), bus);
   } else if (config.source.starts_with(kLogPrefix)) {
-    log_.emplace(config.source.substr(kLogPrefix.size()), config.speed, config.duration, bus);
+    log_ = std::make_unique<LogSource>(config.source.substr(kLogPrefix.size()), config.speed,
+                                       config.duration, bus);
   } else {
     throw config::Error("/source: \"" + config.source +
                         "\" is no source; sources are: sim, log:FILE");

@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -44,8 +44,8 @@ class BridgeComponent {
   bool finished() const;
 
  private:
-  std::optional<SimSource> sim_;  ///< either this ...
-  std::optional<LogSource> log_;  ///< ... or this
+  std::unique_ptr<SimSource> sim_;  ///< either this ...
+  std::unique_ptr<LogSource> log_;  ///< ... or this
 };
 
 }  // namespace perceptor

@@ -3,7 +3,7 @@
 namespace perceptor {
 
 void describe(config::Fields& fields, BridgeConfig& config) {
-  fields.text("source", config.source, "\"sim\", the simulator, or \"log:FILE\", an LCM log");
+  fields.text("source", config.source, R"("sim", the simulator, or "log:FILE", an LCM log)");
   fields.text("world", config.world, "of the simulator: a world's name, or its file");
   fields.number("speed", config.speed, {0.0, 1000.0}, "times real time; 0: as fast as it can");
   fields.number("duration", config.duration, {0.0, 1e8},

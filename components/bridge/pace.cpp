@@ -17,7 +17,7 @@ std::int64_t Pace::source_time(std::int64_t now, std::int64_t next_due) {
     clock_anchor_ += late;
     lost_ += late;
   }
-  const double elapsed = static_cast<double>(now - clock_anchor_);
+  const auto elapsed = static_cast<double>(now - clock_anchor_);
   return source_anchor_ + static_cast<std::int64_t>(std::floor(elapsed * speed_));
 }
 

@@ -35,9 +35,17 @@ bool were_connected(const Wall& arriving, const Wall& leaving) {
          leaving.ends[kTail].connected == arriving.id;
 }
 
+/// How far from an end its corner may lie.
+double reach_of(const WallEnd& end, bool was_connected, const CornerParameters& parameters,
+                const EndParameters& ends) {
+  const double radius = was_connected ? parameters.keep_radius : end.radius;
+  return is_seen_as_end(end) ? std::min(radius, reach_of_seen(end, ends)) : radius;
+}
+
 /// The corner that two walls would form, if they may.
 std::optional<Corner> possible_corner(const Wall& arriving, const Wall& leaving,
-                                      const CornerParameters& parameters) {
+                                      const CornerParameters& parameters,
+                                      const EndParameters& ends) {
   const Vector2& head = arriving.segment.b;
   const Vector2& tail = leaving.segment.a;
   const WallEnd& head_end = arriving.ends[kHead];
@@ -60,10 +68,10 @@ std::optional<Corner> possible_corner(const Wall& arriving, const Wall& leaving,
                         ? intersection(head, along_in, tail, along_out)
                         : weighted_middle(head, head_end.variance, tail, tail_end.variance);
 
-  const double head_radius = corner.was_connected ? parameters.keep_radius : head_end.radius;
-  const double tail_radius = corner.was_connected ? parameters.keep_radius : tail_end.radius;
-  const bool is_within_radius = distance(corner.location, head) <= head_radius &&
-                                distance(corner.location, tail) <= tail_radius;
+  const double head_reach = reach_of(head_end, corner.was_connected, parameters, ends);
+  const double tail_reach = reach_of(tail_end, corner.was_connected, parameters, ends);
+  const bool is_within_radius = distance(corner.location, head) <= head_reach &&
+                                distance(corner.location, tail) <= tail_reach;
   const bool keeps_both = along_in.dot(corner.location - arriving.segment.a) > 0.0 &&
                           along_out.dot(leaving.segment.b - corner.location) > 0.0;
   if (!is_within_radius || !keeps_both) return std::nullopt;
@@ -71,7 +79,8 @@ std::optional<Corner> possible_corner(const Wall& arriving, const Wall& leaving,
 }
 
 std::vector<Corner> possible_corners(const std::vector<Wall>& walls,
-                                     const CornerParameters& parameters) {
+                                     const CornerParameters& parameters,
+                                     const EndParameters& ends) {
   std::vector<Corner> corners;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     for (std::size_t j = 0; j < walls.size(); ++j) {
@@ -79,7 +88,7 @@ std::vector<Corner> possible_corners(const std::vector<Wall>& walls,
                                     walls[i].ends[kHead].radius + walls[j].ends[kTail].radius);
       const Vector2 apart = walls[j].segment.a - walls[i].segment.b;
       if (i == j || apart.squaredNorm() > square(reach)) continue;
-      if (auto corner = possible_corner(walls[i], walls[j], parameters)) {
+      if (auto corner = possible_corner(walls[i], walls[j], parameters, ends)) {
         corner->arriving = i;
         corner->leaving = j;
         corners.push_back(*corner);
@@ -127,7 +136,7 @@ void apply(const Corner& corner, std::vector<Wall>& walls, const EndParameters& 
 
 void connect_corners(std::vector<Wall>& walls, const CornerParameters& parameters,
                      const EndParameters& ends) {
-  std::vector<Corner> corners = possible_corners(walls, parameters);
+  std::vector<Corner> corners = possible_corners(walls, parameters, ends);
   std::sort(corners.begin(), corners.end(), comes_before);
   for (Wall& wall : walls)
     for (WallEnd& end : wall.ends) end.connected = kNone;

@@ -15,7 +15,8 @@ struct CornerParameters {
 };
 
 /// Connects the ends that lie within their radius of a corner, the nearest first and those that
-/// were connected before all others; takes back connections that no longer hold. Connected
+/// were connected before all others; takes back connections that no longer hold. An end that was
+/// seen as one, with something farther behind it, is not prolonged to a wall behind. Connected
 /// ends are moved onto the corner: where the two lines meet, or, where they are nearly
 /// parallel, between the ends according to their weights. The two faces at the end of a thin
 /// wall are no corner. `walls` have distinct ids in increasing order.

@@ -51,7 +51,12 @@ Interval with_margins(Interval opening, double wall_length, double margin) {
   return opening;
 }
 
-void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newly_confirmed) {
+bool is_old_enough(const Wall& wall, const ConfirmationParameters& parameters) {
+  return seconds_between(wall.first_seen, wall.last_seen) >= parameters.min_time;
+}
+
+void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newly_confirmed,
+                        const ConfirmationParameters& parameters) {
   const auto index_of = [&walls](std::int32_t id) {
     const auto found =
         std::lower_bound(walls.begin(), walls.end(), id,
@@ -64,7 +69,7 @@ void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newl
     for (const WallEnd& end : walls[i].ends) {
       if (end.connected == kNone) continue;
       const std::size_t neighbour = index_of(end.connected);
-      if (walls[neighbour].confirmed) continue;
+      if (walls[neighbour].confirmed || !is_old_enough(walls[neighbour], parameters)) continue;
       walls[neighbour].confirmed = true;
       walls[neighbour].is_new = true;
       newly_confirmed.push_back(neighbour);
@@ -83,7 +88,8 @@ void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sigh
     wall.doubted = opening.has_value();
     if (!opening) continue;
     wall.weight *= parameters.factor;
-    if (wall.weight >= parameters.min_weight) continue;
+    const bool withstands = wall.confirmed && wall.weight >= parameters.min_weight;
+    if (withstands) continue;
 
     const Interval widened =
         with_margins(*opening, length(wall.segment), 2.0 * parameters.sees_through.end_margin);
@@ -103,20 +109,27 @@ void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters)
   std::vector<std::size_t> confirmed;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     Wall& wall = walls[i];
-    if (!wall.confirmed && wall.sightings >= parameters.sightings) {
+    const bool is_certain =
+        wall.sightings >= parameters.sightings && is_old_enough(wall, parameters);
+    if (!wall.confirmed && is_certain) {
       wall.confirmed = true;
       wall.is_new = true;
     }
     if (wall.confirmed) confirmed.push_back(i);
   }
-  confirm_neighbours(walls, confirmed);
+  confirm_neighbours(walls, confirmed, parameters);
 }
 
 void forget_tentative(std::vector<Wall>& walls, std::int64_t utime,
                       const ConfirmationParameters& parameters) {
   for (Wall& wall : walls)
     wall.remove =
-        !wall.confirmed && seconds_between(wall.first_seen, utime) > parameters.tentative_time;
+        !wall.confirmed && seconds_between(wall.last_seen, utime) > parameters.tentative_time;
+  remove_marked(walls);
+}
+
+void forget_short(std::vector<Wall>& walls, double min_length) {
+  for (Wall& wall : walls) wall.remove = length(wall.segment) < min_length;
   remove_marked(walls);
 }
 

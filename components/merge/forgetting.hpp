@@ -11,8 +11,11 @@ namespace perceptor::merge {
 
 struct ConfirmationParameters {
   int sightings = 3;            ///< scans that must see a wall before it is published
-  double tentative_time = 5.0;  ///< [s] a wall not confirmed by then is removed; less than
-                                ///< `sightings` scans take would confirm nothing
+  double min_time = 0.5;        ///< [s] from the first to the last of them; larger is safer
+                                ///< against what moves, and slower to show a new wall
+  double tentative_time = 0.5;  ///< [s] a wall not confirmed that is unseen for so long is
+                                ///< removed; more than the time between scans; larger confirms
+                                ///< errors that happen now and then in one place
 };
 
 struct ForgettingParameters {
@@ -23,19 +26,25 @@ struct ForgettingParameters {
 };
 
 /// Halves the weight of each wall that the scan sees through, and cuts the piece that it sees
-/// through out of those whose weight is used up: a shorter wall, two, or none remain. `sighted`
+/// through out of the tentative ones and of those whose weight is used up: a shorter wall, two,
+/// or none remain. `sighted`
 /// and `laser` in the local frame. A new piece takes its id from `next_id`, which counts on.
 void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sighted,
                          const Vector2& laser, std::int32_t& next_id,
                          const ForgettingParameters& parameters);
 
-/// Confirms the walls that were seen often enough, and those that are connected to a
-/// confirmed one, however many walls lie between.
+/// Confirms the walls that were seen often enough over a long enough time. One that is connected
+/// to a confirmed wall, however many walls lie between, needs the time but not the sightings:
+/// what walks past a wall's end is connected to it as well.
 void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters);
 
-/// Removes the walls that were not confirmed in time.
+/// Removes the walls that were not confirmed and are not seen any more.
 void forget_tentative(std::vector<Wall>& walls, std::int64_t utime,
                       const ConfirmationParameters& parameters);
+
+/// Removes what is left of walls that later scans found to end sooner, where it is shorter than
+/// any wall that is taken in [m].
+void forget_short(std::vector<Wall>& walls, double min_length);
 
 /// Removes the longest unseen until `max_walls` are left; of those seen last together the
 /// tentative go first, then the lightest.

@@ -64,6 +64,14 @@ PlacedEnd replaced(const PlacedEnd& kept, const PlacedEnd& other) {
   return moved;
 }
 
+/// One of them is where two lines meet, the other where beams pass the wall's end at some
+/// distance from there: the wall does not reach as far as the lines say.
+bool ends_before_corner(const PlacedEnd& corner, const PlacedEnd& seen,
+                        const EndParameters& parameters) {
+  return corner.end.method == CornerMethod::intersection && is_seen_as_end(seen.end) &&
+         corner.place - seen.place > reach_of_seen(seen.end, parameters);
+}
+
 /// Where a wall that was seen twice ends. A known end is a measurement of the end, an unknown
 /// one only says that the wall reaches so far.
 PlacedEnd merge_ends(const PlacedEnd& kept, const PlacedEnd& other, int sightings_of_other,
@@ -72,6 +80,8 @@ PlacedEnd merge_ends(const PlacedEnd& kept, const PlacedEnd& other, int sighting
   const bool is_near = std::abs(beyond) <= std::max(kept.end.radius, other.end.radius);
   const bool both_known = is_known(kept.end) && is_known(other.end);
 
+  if (is_near && ends_before_corner(kept, other, parameters.ends)) return replaced(kept, other);
+  if (is_near && ends_before_corner(other, kept, parameters.ends)) return kept;
   if (both_known && is_near) return average(kept, other, parameters.ends);
   if (!is_known(kept.end)) {
     const bool is_found = is_known(other.end) && is_near;

@@ -47,6 +47,8 @@ void describe(config::Fields& fields, SameWallParameters& p) {
   fields.number("max_offset", p.max_offset, kMetres, "[m] however uncertain they are");
   fields.number("max_angle", p.max_angle, kAngle, "[rad] however uncertain they are");
   fields.number("max_gap", p.max_gap, kMetres, "[m] pieces of wall further apart stay two");
+  fields.number("shift", p.shift, kMetres,
+                "[m] pieces seen in full that moved along by more are two");
 }
 
 void describe(config::Fields& fields, RegistrationParameters& p) {
@@ -69,6 +71,8 @@ void describe(config::Fields& fields, EndParameters& p) {
   fields.number("min_sigma", p.min_sigma, kSmall,
                 "[m] no end is known better; larger lets one bad scan move a corner");
   fields.number("min_radius", p.min_radius, kMetres, "[m] the radius of a well known end");
+  fields.number("seen_reach", p.seen_reach, kMetres,
+                "[m] from where beams passed the end to something farther, to its corner");
 }
 
 void describe(config::Fields& fields, FusionParameters& p) {
@@ -95,8 +99,10 @@ void describe(config::Fields& fields, CornerParameters& p) {
 void describe(config::Fields& fields, ConfirmationParameters& p) {
   fields.integer("sightings", p.sightings, {1, 1000},
                  "scans that must see a wall before it is published");
+  fields.number("min_time", p.min_time, {0.0, 60.0},
+                "[s] from the first to the last of them; larger is safer against what moves");
   fields.number("tentative_time", p.tentative_time, {0.0, 1e6},
-                "[s] a wall that is not confirmed by then is removed");
+                "[s] a wall that is not confirmed and unseen for so long is removed");
 }
 
 void describe(config::Fields& fields, SeesThroughParameters& p) {

@@ -102,6 +102,7 @@ void Merger::merge_scan(const std::vector<Wall>& sighted_in_robot,
   merge_sighted(sighted, laser);
   merge_doubles(sighted, laser, scan.utime);
   connect_corners(walls_, parameters_.corners, parameters_.fusion.ends);
+  forget_short(walls_, parameters_.sighting.min_length);
   confirm(walls_, parameters_.confirmation);
   forget_tentative(walls_, scan.utime, parameters_.confirmation);
   forget_longest_unseen(walls_, static_cast<std::size_t>(parameters_.max_walls));

@@ -29,13 +29,14 @@ struct RegistrationParameters {
                                .sigmas = 3.0,
                                .max_offset = 0.35,
                                .max_angle = 0.35,
-                               .max_gap = 0.0};  ///< what may be matched
-  int rounds = 2;                                ///< of matching anew
-  int iterations = 4;                            ///< of least squares in a round
-  double outlier_sigmas = 2.0;                   ///< a line this far off counts half
-  double annealing = 10.0;                       ///< the round before doubts so many times less
-  double max_correction = 0.4;                   ///< [m] a larger one is not believed
-  double max_heading_correction = 0.3;           ///< [rad] nor is this
+                               .max_gap = 0.0,
+                               .shift = 0.35};  ///< what may be matched
+  int rounds = 2;                               ///< of matching anew
+  int iterations = 4;                           ///< of least squares in a round
+  double outlier_sigmas = 2.0;                  ///< a line this far off counts half
+  double annealing = 10.0;                      ///< the round before doubts so many times less
+  double max_correction = 0.4;                  ///< [m] a larger one is not believed
+  double max_heading_correction = 0.3;          ///< [rad] nor is this
   double min_agreement = 0.5;        ///< share of matched length that has to fit afterwards
   double unobservable_sigma = 0.05;  ///< [m] a direction in which the walls alone would leave
                                      ///< more is ruled by odometry

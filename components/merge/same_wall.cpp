@@ -29,6 +29,24 @@ double allowed(double floor, double sigmas, double variance, double bound) {
 
 double square(double value) { return value * value; }
 
+bool is_seen_in_full(const Wall& wall) {
+  return is_seen_as_end(wall.ends[kTail]) && is_seen_as_end(wall.ends[kHead]);
+}
+
+/// Both ends of a short piece lie further on, in the same direction.
+bool has_moved_along(const Wall& p, const Line& line_p, const Wall& q,
+                     const SameWallParameters& parameters) {
+  if (!is_seen_in_full(p) || !is_seen_in_full(q)) return false;
+  const double tail_shift = line_p.along.dot(q.segment.a - p.segment.a);
+  const double head_shift = line_p.along.dot(q.segment.b - p.segment.b);
+  const auto allowed_at = [&](std::size_t end) {
+    const double variance = p.ends[end].variance + q.ends[end].variance;
+    return parameters.shift + parameters.sigmas * std::sqrt(variance);
+  };
+  return tail_shift * head_shift > 0.0 && std::abs(tail_shift) > allowed_at(kTail) &&
+         std::abs(head_shift) > allowed_at(kHead);
+}
+
 }  // namespace
 
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
@@ -62,6 +80,7 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
   const double max_offset =
       allowed(parameters.offset, parameters.sigmas, variance, parameters.max_offset);
   if (difference.offset > max_offset) return std::nullopt;
+  if (has_moved_along(p, line_p, q, parameters)) return std::nullopt;
 
   difference.score =
       square(difference.offset / max_offset) + square(difference.angle / max_angle) +

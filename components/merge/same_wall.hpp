@@ -16,6 +16,8 @@ struct SameWallParameters {
   double max_offset = 0.15;  ///< [m] however uncertain they are
   double max_angle = 0.35;   ///< [rad] however uncertain they are
   double max_gap = 0.3;      ///< [m] pieces further apart stay two: less than any doorway
+  double shift = 0.05;       ///< [m] pieces seen in full, moved along by more, are two; larger
+                             ///< lets a walking leg leave a trail
 };
 
 /// How far two walls differ, the longer one giving the line.
@@ -27,7 +29,9 @@ struct Difference {
 };
 
 /// The difference of two walls that may be one; none where they are not. Lines are those of
-/// the walls. Opposite faces never are one: they run in opposite directions.
+/// the walls. Where beams passed both ends of both to something farther, and both ends lie
+/// further on, it is not one wall seen piece by piece, but something that moved. Opposite faces
+/// never are one: they run in opposite directions.
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
                                   const Line& line_q, const SameWallParameters& parameters);
 

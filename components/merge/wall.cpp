@@ -33,6 +33,12 @@ void set_ends(Wall& wall, const Segment& segment) {
 
 bool is_known(const WallEnd& end) { return end.method != CornerMethod::none; }
 
+bool is_seen_as_end(const WallEnd& end) { return end.method == CornerMethod::spike; }
+
+double reach_of_seen(const WallEnd& end, const EndParameters& parameters) {
+  return std::max(parameters.seen_reach, 2.0 * std::sqrt(end.variance));
+}
+
 void sharpen(WallEnd& end, double variance, const EndParameters& parameters) {
   const double floor = parameters.min_sigma * parameters.min_sigma;
   const double sharper = std::min(end.variance, std::max(variance, floor));

@@ -30,6 +30,8 @@ struct EndParameters {
   double min_sigma = 0.001;  ///< [m] no end is known better; larger lets one bad scan move a
                              ///< corner
   double min_radius = 0.1;   ///< [m] the radius of a well known end shrinks to this
+  double seen_reach = 0.1;   ///< [m] a corner may lie this far from where beams passed the end to
+                             ///< something farther; larger joins furniture to the wall behind
 };
 
 struct Wall {
@@ -69,6 +71,13 @@ Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along);
 void set_ends(Wall& wall, const Segment& segment);
 
 bool is_known(const WallEnd& end);
+
+/// Beams passed it to something farther: the wall does not go on there.
+bool is_seen_as_end(const WallEnd& end);
+
+/// [m] how far an end that is seen as one may be from the corner that it belongs to: the wall
+/// may go on behind its last beam, as its variance says.
+double reach_of_seen(const WallEnd& end, const EndParameters& parameters);
 
 /// Gives an end a smaller variance, within bounds; its radius shrinks as its standard
 /// deviation does.

@@ -39,6 +39,10 @@ ScanComponent::ScanComponent(const ScanConfig& config, Bus& bus)
                                    });
 }
 
+void ScanComponent::finish() {
+  while (const auto dropped = aligner_.abandon()) bus_.reject(channel::laser, dropped->reason);
+}
+
 void ScanComponent::drain() {
   while (const auto outcome = aligner_.next()) {
     if (const auto* paired = std::get_if<LaserAligner::Paired>(&*outcome))

@@ -26,6 +26,9 @@ class ScanComponent {
   /// The bus must outlive the component.
   ScanComponent(const ScanConfig& config, Bus& bus);
 
+  /// Counts the scans that still wait for a position.
+  void finish();
+
  private:
   using LaserAligner = Aligner<pico::laser_scan_t>;
 

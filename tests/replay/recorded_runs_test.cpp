@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 struct RecordedRun {
   const char* name;
-  const char* speed;                   ///< for some 400 messages a second: none is lost on the way
+  double speed;                        ///< for some 150 scans a second
   std::vector<std::string> convert{};  ///< options of pico-convert
   const char* max_gap = nullptr;       ///< [s] for the aligner; none: its default
 };
@@ -31,6 +31,7 @@ void PrintTo(const RecordedRun& run, std::ostream* out) { *out << run.name; }
 struct Heard {
   std::map<std::string, pico::status_t> last_status;      ///< by component
   std::map<std::string, std::vector<std::int64_t>> seqs;  ///< of maps, by channel
+  std::map<std::string, std::int64_t> messages;           ///< by channel
 };
 
 template <class Message>
@@ -44,6 +45,7 @@ Heard hear(const fs::path& log) {
   Heard heard;
   LogReader reader(log);
   while (const auto event = reader.next()) {
+    ++heard.messages[event->channel];
     if (event->channel.starts_with("STATUS_")) {
       const auto status = decoded<pico::status_t>(*event);
       heard.last_status[status.component] = status;
@@ -55,6 +57,16 @@ Heard hear(const fs::path& log) {
   return heard;
 }
 
+/// Whether every process received each message that the logger did.
+bool all_arrived(const Heard& heard) {
+  for (const auto& [component, status] : heard.last_status)
+    for (const pico::status_input_t& input : status.inputs)
+      if (const auto sent = heard.messages.find(input.channel);
+          sent != heard.messages.end() && sent->second != input.received)
+        return false;
+  return true;
+}
+
 /// Scans that scan said it dropped, whatever the reason.
 std::int64_t dropped_scans(const pico::status_t& scan) {
   std::int64_t dropped = 0;
@@ -63,15 +75,6 @@ std::int64_t dropped_scans(const pico::status_t& scan) {
         drop_reason::no_session, drop_reason::overflow, drop_reason::forgotten})
     dropped += rejected(scan, channel::laser, std::string(reason));
   return dropped;
-}
-
-/// Scans that are measured after the last odometry: the recording ends before their fate is
-/// known. An odometry within a millisecond decides.
-std::int64_t undecided_scans(const TextRecording& text) {
-  const bool still = text.last_odometry == 0.0;
-  if (still) return 0;
-  return std::ranges::count_if(
-      text.scans, [&](const TextScan& scan) { return scan.time > text.last_odometry + 0.001; });
 }
 
 class RecordedRuns : public ::testing::TestWithParam<RecordedRun> {};
@@ -99,14 +102,25 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
     options["scan"] = {"--set", std::string("aligner.max_gap=") + run_of.max_gap};
     replay.insert(replay.end(), {"--set", std::string("scan.aligner.max_gap=") + run_of.max_gap});
   }
+  // A busy machine loses datagrams, and nobody could help it: then once more, slower.
   const fs::path live = scratch / "live.lcmlog";
-  Recording recording(live, options);
-  const Finished bridge = run(
-      {program("pico-bridge"), "--source", "log:" + converted.string(), "--speed", run_of.speed});
-  EXPECT_EQ(bridge.exit_code, 0) << bridge.output;
-  EXPECT_TRUE(recording.stop());
+  Heard heard;
+  Finished check;
+  for (const double speed : {run_of.speed, 0.2 * run_of.speed}) {
+    fs::remove(live);
+    Recording recording(live, options);
+    const Finished bridge = run({program("pico-bridge"), "--source", "log:" + converted.string(),
+                                 "--speed", std::to_string(speed)},
+                                Seconds(300));
+    EXPECT_EQ(bridge.exit_code, 0) << bridge.output;
+    EXPECT_TRUE(recording.stop());
+    heard = hear(live);
+    check = run({program("pico-logcheck"), live});
+    if (check.exit_code == 0 && all_arrived(heard)) break;
+  }
+  EXPECT_EQ(check.exit_code, 0) << check.output;
+  EXPECT_TRUE(all_arrived(heard));
 
-  Heard heard = hear(live);
   const pico::status_t& scan = heard.last_status["scan"];
   const std::vector<std::int64_t>& current_maps = heard.seqs[channel::current_map];
   const auto maps = static_cast<std::int64_t>(current_maps.size());
@@ -114,7 +128,7 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
   EXPECT_FALSE(scan.degraded) << scan.note;
   EXPECT_EQ(received(scan, channel::laser), scans);
   EXPECT_EQ(published(scan, channel::current_map), maps);
-  EXPECT_EQ(maps + dropped_scans(scan) + undecided_scans(expected), scans);
+  EXPECT_EQ(maps + dropped_scans(scan), scans);
 
   const auto without_return = [&](std::int64_t sum, std::int64_t seq) {
     return sum + expected.scans.at(static_cast<std::size_t>(seq)).beams_without_return;
@@ -129,9 +143,6 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
   EXPECT_EQ(heard.seqs[channel::local_map], current_maps);
   EXPECT_EQ(heard.seqs[channel::identified_map], current_maps);
 
-  const Finished check = run({program("pico-logcheck"), live});
-  EXPECT_EQ(check.exit_code, 0) << check.output;
-
   const Finished replayed = run(replay);
   ASSERT_EQ(replayed.exit_code, 0) << replayed.output;
   EXPECT_TRUE(computed_payloads(scratch / "replayed.lcmlog") == computed_payloads(live))
@@ -140,13 +151,13 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RecordedRuns,
-    ::testing::Values(RecordedRun{"pico_static", "4", {"--still"}},
-                      RecordedRun{"uob_p3dx_trace0", "20"}, RecordedRun{"csail", "56"},
+    ::testing::Values(RecordedRun{"pico_static", 4.0, {"--still"}},
+                      RecordedRun{"uob_p3dx_trace0", 15.0}, RecordedRun{"csail", 60.0},
                       // Its odometry comes once a second, and late at times.
-                      RecordedRun{"intel_raw", "200", {}, "3"},
+                      RecordedRun{"intel_raw", 150.0, {}, "3"},
                       // Some 300 beams in a turn of 0.15 s, while the robot turns at 3 rad/s.
-                      RecordedRun{"lcm_mbot_convex", "7", {"--time-increment", "0.0005"}},
-                      RecordedRun{"mines_exp1", "20"}),
+                      RecordedRun{"lcm_mbot_convex", 7.0, {"--time-increment", "0.0005"}},
+                      RecordedRun{"mines_exp1", 15.0}),
     [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace

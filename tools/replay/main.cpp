@@ -44,17 +44,17 @@ Counts replay(LogReader& reader, LogWriter& writer, const PipelineConfig& config
     const std::int64_t utime = messages::stamp_in(event.data).value_or(Stamp{}).utime;
     if (counts.fed++ == 0) {
       counts.first_utime = utime;
-      pipeline.publish_status(utime, false);
+      pipeline.publish_status(utime);
       next_status = utime + kMicrosecondsPerSecond;
     }
     pipeline.feed(event.channel, event.data);
     counts.last_utime = utime;
     if (utime >= next_status) {
-      pipeline.publish_status(utime, false);
+      pipeline.publish_status(utime);
       next_status = utime + kMicrosecondsPerSecond;
     }
   }
-  pipeline.publish_status(counts.last_utime, true);
+  pipeline.finish(counts.last_utime);
   writer.close();
   return counts;
 }

@@ -62,6 +62,7 @@ struct Pipeline::Node {
   Status status;
   Bus bus;
   std::shared_ptr<void> component;
+  std::function<void()> finish = [] {};
 };
 
 Pipeline::Pipeline(const PipelineConfig& config, std::int64_t boot, Sink sink)
@@ -85,7 +86,10 @@ Pipeline::~Pipeline() = default;
 template <class Component>
 void Pipeline::add(const typename Component::Config& config, std::int64_t boot) {
   Node& node = *nodes_.emplace_back(std::make_unique<Node>(lcm_, Component::kName, boot));
-  node.component = std::make_shared<Component>(config, node.bus);
+  const auto component = std::make_shared<Component>(config, node.bus);
+  node.component = component;
+  if constexpr (requires { component->finish(); })
+    node.finish = [component] { component->finish(); };
 }
 
 void Pipeline::feed(const std::string& channel, Bytes payload) {
@@ -93,8 +97,16 @@ void Pipeline::feed(const std::string& channel, Bytes payload) {
   settle();
 }
 
-void Pipeline::publish_status(std::int64_t utime, bool last) {
-  for (const auto& node : nodes_) node->bus.publish_status(utime, last);
+void Pipeline::publish_status(std::int64_t utime) {
+  for (const auto& node : nodes_) node->bus.publish_status(utime, false);
+  settle();
+}
+
+void Pipeline::finish(std::int64_t utime) {
+  for (const auto& node : nodes_) {
+    node->finish();
+    node->bus.publish_status(utime, true);
+  }
   settle();
 }
 

@@ -49,7 +49,10 @@ class Pipeline {
   void feed(const std::string& channel, Bytes payload);
 
   /// Every component's STATUS, as of `utime`.
-  void publish_status(std::int64_t utime, bool last);
+  void publish_status(std::int64_t utime);
+
+  /// Nothing more will be fed: every component's last STATUS.
+  void finish(std::int64_t utime);
 
  private:
   struct Node;

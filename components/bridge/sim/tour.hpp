@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/twist.hpp"
@@ -32,7 +33,7 @@ struct TourParameters {
 
 class TourDriver {
  public:
-  explicit TourDriver(const TourParameters& parameters) : parameters_(parameters) {}
+  explicit TourDriver(TourParameters parameters) : parameters_(std::move(parameters)) {}
 
   /// The velocity to wish for, in the robot frame, for the coming `seconds`.
   Twist drive(const Position& robot_in_world, double seconds, const std::vector<Circle>& people);

@@ -134,6 +134,21 @@ TEST(Aligner, OverflowDropsTheOldestAndSaysThatArrivalMattered) {
   EXPECT_FALSE(aligner.next());
 }
 
+TEST(Aligner, AbandonsWhatStillWaitsOldestFirst) {
+  TestAligner aligner{AlignerParameters{}};
+  aligner.add_position({0, 1, 0}, true, 0, {});
+  aligner.add_item({10 * kMs, 1, 0}, true, 0);
+  aligner.add_item({20 * kMs, 1, 1}, false, 0);
+  EXPECT_FALSE(aligner.next());
+  for (const std::int64_t utime : {10 * kMs, 20 * kMs}) {
+    const auto dropped = aligner.abandon();
+    ASSERT_TRUE(dropped);
+    EXPECT_EQ(dropped->stamp.utime, utime);
+    EXPECT_EQ(dropped->reason, drop_reason::after_last);
+  }
+  EXPECT_FALSE(aligner.abandon());
+}
+
 TEST(Aligner, SaysWhenAnItemComesTooLateForWhatItRemembers) {
   AlignerParameters small;
   small.max_positions = 3;

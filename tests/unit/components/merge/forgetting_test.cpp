@@ -24,20 +24,39 @@ TEST(Forgetting, TentativeWallThatIsNotSeenAgainIsRemoved) {
   session.see_often({wall(0, 0, 4, 0)}, 5);
   session.see({wall(0, 0, 4, 0), wall(1, 3, 0, 3)});
   EXPECT_EQ(session.walls().size(), 2U);
-  session.wait(4.0);
-  session.see({wall(0, 0, 4, 0)});
+  session.see_often({wall(0, 0, 4, 0)}, 2);  // half a second
   EXPECT_EQ(session.walls().size(), 2U);
-  session.wait(2.0);
   session.see({wall(0, 0, 4, 0)});
   EXPECT_EQ(session.walls().size(), 1U);
+}
+
+TEST(Forgetting, ErrorThatComesNowAndThenIsNeverConfirmed) {
+  // Once in a second, always in the same place, for a minute.
+  Session session;
+  session.see_often({wall(0, 0, 4, 0)}, 5);
+  for (int i = 0; i < 60; ++i) {
+    session.see({wall(0, 0, 4, 0), wall(1, 3, 0, 3)});
+    EXPECT_EQ(session.see_often({wall(0, 0, 4, 0)}, 3).walls.objects.size(), 1U);
+  }
+}
+
+TEST(Forgetting, TentativeWallThatIsSeenThroughGoesAtOnce) {
+  Session session;
+  session.see_often(kCupboard, 2);
+  ASSERT_EQ(session.walls().size(), 3U);
+  session.see(kFarWall);
+  for (const Wall& left : session.walls()) EXPECT_GT(left.segment.a.y(), 2.9);
 }
 
 TEST(Forgetting, TentativeWallConnectedToAConfirmedOneIsConfirmed) {
   Session session;
   session.see_often({wall(0, 0, 4, 0)}, 3);
-  // A chain: the second new wall is connected through the first.
-  const LocalMap local = session.see({wall(0, 0, 4, 0), wall(4, 0, 4, 3), wall(4, 3, 0, 3)});
-  EXPECT_EQ(local.walls.objects.size(), 3U);
+  // A chain: the second new wall is connected through the first. Two scans are enough for both,
+  // but not before half a second.
+  const std::vector<Drawn> chain = {wall(0, 0, 4, 0), wall(4, 0, 4, 3), wall(4, 3, 0, 3)};
+  EXPECT_EQ(session.see(chain).walls.objects.size(), 1U);
+  session.wait(0.25);
+  EXPECT_EQ(session.see(chain).walls.objects.size(), 3U);
 }
 
 TEST(Forgetting, LoneCorridorWallSurvives) {
@@ -104,6 +123,15 @@ TEST(Forgetting, DoorThatOpensIsCutOutOfItsWall) {
   ASSERT_EQ(jambs.size(), 2U);
   EXPECT_NEAR(jambs[0], 1.5, 1e-3);
   EXPECT_NEAR(jambs[1], 2.5, 1e-3);
+}
+
+TEST(Forgetting, WallThatShrinksToNothingGoes) {
+  std::vector<Wall> walls(2);
+  walls[0].segment = {{0.0, 0.0}, {0.04, 0.0}};
+  walls[1].segment = {{0.0, 1.0}, {0.06, 1.0}};
+  forget_short(walls, 0.05);
+  ASSERT_EQ(walls.size(), 1U);
+  EXPECT_DOUBLE_EQ(walls[0].segment.a.y(), 1.0);
 }
 
 TEST(Forgetting, LongestUnseenGoesFirstWhenThereAreTooMany) {

@@ -77,6 +77,23 @@ TEST(Fusion, KnownEndReplacesAnUnknownOneNearby) {
   EXPECT_EQ(fused.ends[kHead].method, CornerMethod::spike);
 }
 
+TEST(Fusion, EndSeenWellBeforeWhereTheLinesMeetStands) {
+  Wall to_corner = make_wall(0, 0, 2.15, 0);
+  to_corner.ends[kHead].method = CornerMethod::intersection;
+  const Wall seen = known_head(make_wall(0, 0, 2, 0));
+  EXPECT_NEAR(fuse(to_corner, seen, {}).segment.b.x(), 2.0, 1e-9);
+  EXPECT_NEAR(fuse(seen, to_corner, {}).segment.b.x(), 2.0, 1e-9);
+}
+
+TEST(Fusion, EndSeenByFewBeamsDoesNotTakeACornerBack) {
+  // Beams 0.1 m apart: the wall may go on for as much behind the last one.
+  Wall to_corner = make_wall(0, 0, 2.15, 0);
+  to_corner.ends[kHead].method = CornerMethod::intersection;
+  Wall seen = known_head(make_wall(0, 0, 2, 0));
+  seen.ends[kHead].variance = 0.1 * 0.1;
+  EXPECT_NEAR(fuse(to_corner, seen, {}).segment.b.x(), 2.15, 0.005);
+}
+
 TEST(Fusion, PartialViewLeavesTheEnd) {
   const Wall fused = fuse(known_head(make_wall(0, 0, 2, 0)), known_head(make_wall(0, 0, 1, 0)), {});
   EXPECT_NEAR(fused.segment.b.x(), 2.0, 1e-9);

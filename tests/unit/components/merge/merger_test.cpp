@@ -35,6 +35,69 @@ TEST(Merger, WallIsConfirmedWhenItIsSeenAgain) {
   EXPECT_FALSE(session.see(room()).walls.objects.front().is_new);
 }
 
+TEST(Merger, NoWallIsConfirmedWithinHalfASecond) {
+  Session session;
+  const double at_40_hz = 0.025 - kScanPeriod * 1e-6;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(session.see(room()).walls.objects.size(), 0U);
+    session.wait(at_40_hz);
+  }
+  EXPECT_EQ(session.see(room()).walls.objects.size(), 4U);
+}
+
+/// Scans at 40 Hz of one wall, and of a piece of 0.3 m that moves along its own line.
+void see_walking(Session& session, double speed, CornerMethod ends, std::size_t most_walls) {
+  constexpr double kPeriod = 0.025;
+  const double along = 4.0;
+  const int scans = static_cast<int>(along / speed / kPeriod);
+  for (int i = 0; i < scans; ++i) {
+    const double x = 4.0 - speed * kPeriod * i;
+    const LocalMap local = session.see({wall(0, 0, 4, 0), wall(x, 3, x - 0.3, 3, ends, ends)});
+    EXPECT_LE(local.walls.objects.size(), most_walls) << "at " << x;
+    session.wait(kPeriod - kScanPeriod * 1e-6);
+  }
+}
+
+TEST(Merger, WalkingLegNeverBecomesAWall) {
+  // Nothing is seen behind it that would take its trail out again.
+  for (const double speed : {0.5, 0.8, 1.4, 3.0}) {
+    Session session;
+    see_walking(session, speed, CornerMethod::spike, 1);
+    for (const Wall& left : session.walls()) {
+      const double longest = left.confirmed ? 4.0 + kExact : 0.6;
+      EXPECT_LT(length(left.segment), longest) << "at " << speed;
+    }
+  }
+}
+
+TEST(Merger, WallSeenPieceByPieceThroughADoorwayGrows) {
+  // The same piece, but its ends are cut by what stands before it.
+  Session session;
+  see_walking(session, 0.8, CornerMethod::none, 2);
+  const Map map = in_local(session.see({}));
+  ASSERT_EQ(map.objects.size(), 2U);
+  EXPECT_NEAR(length(segment(map, 1)), 4.3, 0.05);
+}
+
+TEST(Merger, CabinetSeenToEndBeforeAWallIsNotJoinedToIt) {
+  // Its side ends 0.15 m before the wall, and the beam beside that end goes on to the wall.
+  Session session;
+  const std::vector<Drawn> cabinet = {
+      wall(1, 0, 4, 0), wall(1, 0.6, 1, 0.15, CornerMethod::none, CornerMethod::spike)};
+  const Map map = in_local(session.see_often(cabinet, 10));
+  ASSERT_EQ(map.objects.size(), 2U);
+  EXPECT_NEAR(segment(map, 1).b.y(), 0.15, kExact);
+}
+
+TEST(Merger, CabinetJoinedToAWallIsTakenOffItWhenItsEndIsSeen) {
+  Session session;
+  session.see_often({wall(1, 0, 4, 0), wall(1, 0.6, 1, 0.15)}, 10);
+  ASSERT_NE(session.walls()[1].ends[kHead].connected, kNone);
+  session.see({wall(1, 0, 4, 0), wall(1, 0.6, 1, 0.15, CornerMethod::none, CornerMethod::spike)});
+  EXPECT_EQ(session.walls()[1].ends[kHead].connected, kNone);
+  EXPECT_NEAR(session.walls()[1].segment.b.y(), 0.15, kExact);
+}
+
 TEST(Merger, EmptyScanPublishesTheMapAgain) {
   Session session;
   session.see_often(room(), 3);

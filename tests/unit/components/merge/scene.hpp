@@ -10,7 +10,8 @@
 
 namespace perceptor::merge {
 
-inline constexpr std::int64_t kScanPeriod = 25'000;  ///< [us] 40 Hz
+/// [us] So long that the third scan confirms: it is half a second after the first.
+inline constexpr std::int64_t kScanPeriod = 250'000;
 
 /// A wall of a scene, and how a scan sees its ends.
 struct Drawn {
@@ -56,7 +57,7 @@ inline std::vector<Drawn> room() {
   return {wall(0, 0, 4, 0), wall(4, 0, 4, 3), wall(4, 3, 0, 3), wall(0, 3, 0, 0)};
 }
 
-/// A merger and the scans it gets, one each 25 ms.
+/// A merger and the scans it gets, one each kScanPeriod.
 class Session {
  public:
   explicit Session(const MergeParameters& parameters = {}) : merger_(parameters) {}
