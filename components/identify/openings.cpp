@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "components/identify/candidates.hpp"
 
@@ -52,8 +53,8 @@ bool are_one_opening(const Candidate& c, const Candidate& d, const OpeningParame
 /// Goes through the ranked candidates and keeps what leaves each end and corner used once.
 class Chooser {
  public:
-  Chooser(const Vector2& robot, const OpeningParameters& parameters)
-      : robot_(robot), parameters_(parameters) {}
+  Chooser(Vector2 robot, const OpeningParameters& parameters)
+      : robot_(std::move(robot)), parameters_(parameters) {}
 
   void consider_door(const Candidate& candidate) {
     if (!is_free(candidate)) return;
