@@ -59,7 +59,7 @@ class Status {
 
  private:
   struct Input {
-    bool waits = true;
+    bool waits = false;
     std::int64_t received = 0;
     std::int64_t rejected = 0;
     std::int64_t missed = 0;

@@ -142,6 +142,7 @@ std::string_view fault_of_head(const pico::map_t& map) {
   if (!is_part) return "part out of range";
   if (!is_utime(map.zero_utime)) return "zero_utime out of range";
   if (!is_pose(map.robot_in_zero)) return "robot_in_zero out of range";
+  if (!is_pose(map.laser_in_robot)) return "laser_in_robot out of range";
   if (!is_pose(map.robot_in_local)) return "robot_in_local out of range";
   if (!is_unknown_or_covariance(map.robot_in_local_covariance))
     return "robot_in_local_covariance out of range";

@@ -56,13 +56,12 @@ PositionHistory::Fate PositionHistory::decide_in(const TrackSegment& segment, st
   const auto candidate = std::ranges::lower_bound(samples, utime - kSameTime, {}, &Sample::utime);
   const auto index = static_cast<std::size_t>(candidate - samples.begin());
 
+  depends_on_arrival_ |= index == 0 && segment.forgot_some;
   if (candidate != samples.end() && candidate->utime <= utime + kSameTime)
     return aligned(segment, candidate->robot_in_zero, twist_up_to(segment, index));
 
-  if (index == 0) {
-    depends_on_arrival_ |= segment.forgot_some;
+  if (index == 0)
     return DropReason{segment.forgot_some ? drop_reason::forgotten : drop_reason::before_first};
-  }
 
   const Sample& before = samples[index - 1];
   const double since = seconds_between(before.utime, utime);

@@ -12,6 +12,9 @@ namespace {
 /// Published in one step at most: messages and signals are not kept waiting.
 constexpr int kMostEvents = 20;
 
+/// A longer pause between two messages is none of the robot's.
+constexpr double kLargestStep_us = 60e6;
+
 constexpr const char* kPrefix = "PICO_";
 
 LogReader open(const std::filesystem::path& file) {
@@ -30,6 +33,7 @@ LogSource::LogSource(const std::filesystem::path& file, double speed, double dur
       duration_(static_cast<std::int64_t>(std::llround(duration * 1e6))),
       pace_(speed, 0) {
   read_next();
+  if (at_end_) throw config::Error("/source: " + file.string() + " holds no PICO_* message");
   first_ = due_;
   next_note_ = first_;
   pace_ = Pace(speed, first_);
@@ -51,9 +55,25 @@ void LogSource::read_next() {
   damage_told_ = damaged;
 
   const bool is_first = published_ == 0;
-  if (found) due_ = is_first ? next_.timestamp : std::max(due_, next_.timestamp);
+  if (found) advance_due(is_first);
   const bool is_past_duration = duration_ > 0 && !is_first && due_ - first_ >= duration_;
   at_end_ = !found || is_past_duration;
+}
+
+/// Stamps step back a little in every log. A large step either way is a damaged stamp or a clock
+/// that was set: the log goes on at once from there.
+void LogSource::advance_due(bool is_first) {
+  const std::int64_t stamp = next_.timestamp;
+  const double step_us = static_cast<double>(stamp) - static_cast<double>(last_stamp_);
+  const bool is_jump = std::abs(step_us) > kLargestStep_us;
+  if (is_first) {
+    due_ = 0;
+  } else if (is_jump) {
+    bus_.count("log", "stamp jumped", 1);
+  } else {
+    due_ += std::max<std::int64_t>(0, stamp - last_stamp_);
+  }
+  if (is_first || is_jump || stamp > last_stamp_) last_stamp_ = stamp;
 }
 
 std::int64_t LogSource::step(std::int64_t now) {

@@ -25,6 +25,7 @@ class LogSource {
 
  private:
   void read_next();
+  void advance_due(bool is_first);
   void say_how_it_goes();
 
   Bus& bus_;
@@ -32,8 +33,9 @@ class LogSource {
   std::int64_t duration_;  ///< [us]; 0: to the end
   LogEvent next_;          ///< not published yet
   bool at_end_ = false;
-  std::int64_t first_ = 0;  ///< [us] stamp of the first event published
-  std::int64_t due_ = 0;    ///< [us] of `next_`: the running maximum of the log's stamps
+  std::int64_t last_stamp_ = 0;  ///< [us] the log's own, the largest since it last jumped
+  std::int64_t first_ = 0;       ///< [us] when the first event is due
+  std::int64_t due_ = 0;         ///< [us] when `next_` is due, from the steps of the stamps
   Pace pace_;
   std::int64_t published_ = 0;
   std::size_t damage_told_ = 0;  ///< damaged stretches counted so far

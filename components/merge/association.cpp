@@ -5,15 +5,15 @@
 namespace perceptor::merge {
 namespace {
 
-/// The robot stands where the wall can be seen, or so near its line that noise may decide.
-bool is_on_free_side(const Line& line, const Vector2& robot, double tolerance) {
-  return line.normal.dot(robot - line.middle) > -tolerance;
+/// The laser stands where the wall can be seen, or so near its line that noise may decide.
+bool is_on_free_side(const Line& line, const Vector2& laser, double tolerance) {
+  return line.normal.dot(laser - line.middle) > -tolerance;
 }
 
 }  // namespace
 
 std::vector<Match> match_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
-                               const std::vector<Line>& known_lines, const Vector2& robot_in_local,
+                               const std::vector<Line>& known_lines, const Vector2& laser_in_local,
                                const SameWallParameters& parameters) {
   std::vector<Match> matches;
   matches.reserve(sighted.size());
@@ -24,7 +24,7 @@ std::vector<Match> match_walls(const std::vector<Wall>& sighted, const std::vect
     for (std::size_t j = 0; j < known.size(); ++j) {
       const auto difference = compare(sighted[i], line, known[j], known_lines[j], parameters);
       if (!difference || (best && difference->score >= best_score)) continue;
-      if (!is_on_free_side(known_lines[j], robot_in_local, parameters.max_offset)) continue;
+      if (!is_on_free_side(known_lines[j], laser_in_local, parameters.max_offset)) continue;
       best = j;
       best_score = difference->score;
     }

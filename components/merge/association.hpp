@@ -15,10 +15,10 @@ struct Match {
 };
 
 /// Each sighted wall with the known wall that is most like it, where there is one. Both in the
-/// local frame; a wall whose free side the robot is not on cannot be matched. The answer does
+/// local frame; a wall whose free side the laser is not on cannot be matched. The answer does
 /// not depend on the order of either.
 std::vector<Match> match_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
-                               const std::vector<Line>& known_lines, const Vector2& robot_in_local,
+                               const std::vector<Line>& known_lines, const Vector2& laser_in_local,
                                const SameWallParameters& parameters);
 
 }  // namespace perceptor::merge

@@ -21,6 +21,7 @@ pico::map_t to_message(const pico::map_t& current, const merge::LocalMap& local,
   message.map_id = current.map_id;
   message.zero_utime = current.zero_utime;
   message.robot_in_zero = current.robot_in_zero;
+  message.laser_in_robot = current.laser_in_robot;
   message.robot_in_local = to_message(local.robot_in_local.pose);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
@@ -41,15 +42,15 @@ MergeComponent::MergeComponent(const MergeConfig& config, Bus& bus)
 }
 
 void MergeComponent::on_current_map(const pico::map_t& message, bool began_anew) {
-  if (message.frame != "robot") return bus_.reject(channel::current_map, kWrongFrame);
-  if (message.parts != 1) return bus_.reject(channel::current_map, kInParts);
   if (began_anew || zero_utime_ != message.zero_utime) merger_.clear();
   zero_utime_ = message.zero_utime;
+  if (message.frame != "robot") return bus_.reject(channel::current_map, kWrongFrame);
+  if (message.parts != 1) return bus_.reject(channel::current_map, kInParts);
 
   merge::ScanMap scan;
   scan.utime = message.utime;
   scan.robot_in_zero = to_model(message.robot_in_zero);
-  scan.laser_in_robot = config_.robot.laser.laser_in_robot;
+  scan.laser_in_robot = to_model(message.laser_in_robot);
   scan.walls = to_model(message);
   merge::LocalMap local = merger_.update(scan);
   if (local.rejected) bus_.count(channel::current_map, kDoesNotFit, 1);

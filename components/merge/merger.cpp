@@ -62,8 +62,9 @@ LocalMap Merger::update(const ScanMap& scan) {
   for (Wall& wall : walls_) wall.is_new = false;
 
   const PoseEstimate predicted = predict_pose(scan);
-  const Registration registration = register_walls(sighted, walls_, lines_of(walls_), predicted,
-                                                   parameters_.same_wall, parameters_.registration);
+  const Registration registration =
+      register_walls(sighted, walls_, lines_of(walls_), predicted, scan.laser_in_robot.location(),
+                     parameters_.same_wall, parameters_.registration);
   const PoseEstimate& robot_in_local = registration.robot_in_local;
   if (is_to_be_merged(registration)) merge_scan(sighted, robot_in_local, scan);
   previous_ = {scan.utime, scan.robot_in_zero, robot_in_local};

@@ -163,7 +163,7 @@ PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion,
 
 Registration register_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
                             const std::vector<Line>& known_lines, const PoseEstimate& predicted,
-                            const SameWallParameters& agreement,
+                            const Vector2& laser_in_robot, const SameWallParameters& agreement,
                             const RegistrationParameters& parameters) {
   Registration unregistered;
   unregistered.robot_in_local = predicted;
@@ -181,8 +181,8 @@ Registration register_walls(const std::vector<Wall>& sighted, const std::vector<
     for (const Wall& wall : sighted)
       in_local.push_back(
           transform(correction.robot_in_local.pose, correction.robot_in_local.covariance, wall));
-    matches = match_walls(in_local, known, known_lines, correction.robot_in_local.pose.location(),
-                          parameters.same_wall);
+    const Vector2 laser = transform(correction.robot_in_local.pose, laser_in_robot);
+    matches = match_walls(in_local, known, known_lines, laser, parameters.same_wall);
     if (matches.empty()) return unregistered;
     correction = correct(predicted, correction.robot_in_local.pose, sighted, known, known_lines,
                          matches, outlier_sigmas, parameters);

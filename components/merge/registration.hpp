@@ -59,10 +59,11 @@ struct Registration {
   std::optional<Vector2> unobservable;  ///< unit vector along which odometry rules, local frame
 };
 
-/// `sighted` in the robot frame; `known`, with their lines, in the local frame.
+/// `sighted` and the laser's place in the robot frame; `known`, with their lines, in the local
+/// frame.
 Registration register_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
                             const std::vector<Line>& known_lines, const PoseEstimate& predicted,
-                            const SameWallParameters& agreement,
+                            const Vector2& laser_in_robot, const SameWallParameters& agreement,
                             const RegistrationParameters& parameters);
 
 }  // namespace perceptor::merge

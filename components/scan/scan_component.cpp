@@ -65,6 +65,7 @@ void ScanComponent::publish_map(const LaserAligner::Paired& paired) {
   set_stamp(message, paired.stamp);
   message.map_id = paired.stamp.seq;
   message.zero_utime = paired.position.zero_utime;
+  message.laser_in_robot = paired.item.laser_in_robot;
   message.robot_in_zero = to_message(paired.position.robot_in_zero);
   message.robot_in_local = message.robot_in_zero;
   bus_.publish(channel::current_map, message);

@@ -31,7 +31,7 @@ constexpr const char* kExamples =
     "                                    a standing robot that recorded no odometry\n"
     "  pico-convert --valid-max 30 csail.carmen csail.lcmlog\n"
     "  pico-logcheck office.lcmlog       is it whole?\n"
-    "  lcm-logplayer office.lcmlog       play it to running components\n"
+    "  lcm-logplayer -e 'PICO_.*' office.lcmlog   play it to running components\n"
     "\n"
     "Exit: 0 something was written, 1 nothing was, 2 wrong usage or an input that is no\n"
     "recording.";

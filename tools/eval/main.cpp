@@ -31,15 +31,15 @@ void print_latency(const Latency& latency) {
   std::printf("latency from PICO_LASER to IDENTIFIED_MAP, %zu maps [ms]\n", latency.maps);
   std::printf("  %-24s median %7.2f   p99 %7.2f\n", "in all", latency.total.median,
               latency.total.p99);
-  std::printf("  %-24s median %7.2f   p99 %7.2f\n", "waiting for odometry",
-              latency.waiting.median, latency.waiting.p99);
-  std::printf("  %-24s median %7.2f   p99 %7.2f\n", "computing and hops",
-              latency.computing.median, latency.computing.p99);
+  std::printf("  %-24s median %7.2f   p99 %7.2f\n", "waiting for odometry", latency.waiting.median,
+              latency.waiting.p99);
+  std::printf("  %-24s median %7.2f   p99 %7.2f\n", "computing and hops", latency.computing.median,
+              latency.computing.p99);
 }
 
 void print_score(const WorldScore& score) {
-  std::printf("against the truth, %lld maps, %.1f m driven\n",
-              static_cast<long long>(score.maps), score.driven);
+  std::printf("against the truth, %lld maps, %.1f m driven\n", static_cast<long long>(score.maps),
+              score.driven);
   std::printf("  walls that lie on a wall of the world   %5.1f %% of %lld\n",
               percent(score.walls_right, score.walls), static_cast<long long>(score.walls));
   std::printf("  doors that lie in an opening            %5.1f %% of %lld\n",
@@ -61,6 +61,9 @@ int print_summary(const std::filesystem::path& log) {
       progress.at(reader.offset());
     }
   }
+  for (const LogDamage& damage : reader.damage())
+    std::fprintf(stderr, "pico-eval: %lld damaged bytes passed over at byte %lld\n",
+                 static_cast<long long>(damage.size), static_cast<long long>(damage.offset));
   print_messages(summary);
   print_latency(summary.latency());
   if (const auto score = summary.score()) print_score(*score);

@@ -54,16 +54,18 @@ void WorldScorer::take_world(const pico::map_t& message) {
   const Map world = to_model(message);
   if (message.part == 0) {
     walls_.clear();
-    openings_.clear();
+    for (auto& [id, opening] : openings_) opening.is_open = false;
   }
   for (const Object& object : world.objects) {
     const bool is_open_door = object.type == ObjectType::door && object.reason != "shut";
-    if (is_open_door)
-      openings_.push_back(segment(world, object));
-    else
+    if (!is_open_door) {
       append_edges(world, object, walls_);
+      continue;
+    }
+    Opening& opening = openings_[object.id];
+    opening.segment = segment(world, object);
+    opening.is_open = true;
   }
-  opening_found_.resize(openings_.size());
 }
 
 bool WorldScorer::is_on_a_wall(const Segment& found) const {
@@ -82,10 +84,12 @@ bool WorldScorer::is_on_a_wall(const Segment& found) const {
   return true;
 }
 
-std::optional<std::size_t> WorldScorer::opening_at(const Segment& found) const {
-  for (std::size_t i = 0; i < openings_.size(); ++i)
-    if (distance(middle(openings_[i]), middle(found)) < parameters_.max_door_offset) return i;
-  return std::nullopt;
+WorldScorer::Opening* WorldScorer::opening_at(const Segment& found) {
+  for (auto& [id, opening] : openings_)
+    if (opening.is_open &&
+        distance(middle(opening.segment), middle(found)) < parameters_.max_door_offset)
+      return &opening;
+  return nullptr;
 }
 
 void WorldScorer::take_identified(const pico::map_t& map) {
@@ -109,9 +113,9 @@ void WorldScorer::compare(const pico::truth_t& truth, const pico::map_t& message
       score_.walls_right += is_on_a_wall(in_world) ? 1 : 0;
     } else if (object.type == ObjectType::door) {
       ++score_.doors;
-      if (const auto opening = opening_at(in_world)) {
+      if (Opening* opening = opening_at(in_world)) {
         ++score_.doors_right;
-        opening_found_[*opening] = true;
+        opening->is_found = true;
       }
     }
   }
@@ -124,7 +128,8 @@ std::optional<WorldScore> WorldScorer::score() const {
   if (score_.maps == 0) return std::nullopt;
   WorldScore score = score_;
   score.openings = openings_.size();
-  score.openings_found = static_cast<std::size_t>(std::ranges::count(opening_found_, true));
+  score.openings_found = static_cast<std::size_t>(
+      std::ranges::count_if(openings_, [](const auto& entry) { return entry.second.is_found; }));
   return score;
 }
 

@@ -35,7 +35,7 @@ struct WorldScore {
   std::int64_t walls_right = 0;    ///< of those, lying on a wall of the world
   std::int64_t doors = 0;          ///< found, over all maps
   std::int64_t doors_right = 0;    ///< of those, in a door opening of the world
-  std::size_t openings = 0;        ///< in the world, doors that stand shut not counted
+  std::size_t openings = 0;        ///< in the world, doors that never stood open not counted
   std::size_t openings_found = 0;  ///< of those, found at least once
   PoseError odometry_at_end;       ///< drift of robot_in_zero
   PoseError merge_at_end;          ///< drift of robot_in_local
@@ -53,18 +53,23 @@ class WorldScorer {
   std::optional<WorldScore> score() const;
 
  private:
+  struct Opening {
+    Segment segment;
+    bool is_open = false;  ///< when the world was last told
+    bool is_found = false;
+  };
+
   void compare(const pico::truth_t& truth, const pico::map_t& map);
   bool is_on_a_wall(const Segment& found_in_world) const;
-  std::optional<std::size_t> opening_at(const Segment& found_in_world) const;
+  Opening* opening_at(const Segment& found_in_world);
 
   WorldScoreParameters parameters_;
   WorldScore score_;
-  std::vector<Segment> walls_;  ///< of the world
-  std::vector<Segment> openings_;
-  std::vector<bool> opening_found_;
-  std::deque<pico::truth_t> truths_;  ///< the last ones
-  std::deque<pico::map_t> early_;     ///< maps that stand before their truth in the log
-  std::optional<Position> first_in_world_;  ///< where the session began
+  std::vector<Segment> walls_;                ///< of the world
+  std::map<std::int32_t, Opening> openings_;  ///< every door that ever stood open, by its id
+  std::deque<pico::truth_t> truths_;          ///< the last ones
+  std::deque<pico::map_t> early_;             ///< maps that stand before their truth in the log
+  std::optional<Position> first_in_world_;    ///< where the session began
   std::int64_t session_ = 0;
 };
 

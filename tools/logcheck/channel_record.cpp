@@ -111,8 +111,6 @@ ChannelKind kind_of(std::string_view name) {
   if (name == "LCM_SELF_TEST" || name == "LOG_PROBE") return ChannelKind::internal;
   if (channel::type_on(name) == nullptr) return ChannelKind::foreign;
   if (name.starts_with(channel::status_prefix)) return ChannelKind::status;
-  // What stands in the world is sent once a second, with the seq of the scan.
-  if (name == channel::world) return ChannelKind::computed;
   const bool is_source = name.starts_with("PICO_") || name.starts_with("SIM_");
   return is_source ? ChannelKind::source : ChannelKind::computed;
 }

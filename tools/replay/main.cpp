@@ -69,6 +69,9 @@ struct ReplayOptions {
 int replay_log(const ReplayOptions& options) {
   keep_freed_memory();
   const PipelineConfig config = load_pipeline_config(options.config_dir, options.overrides);
+  std::error_code not_there;
+  if (std::filesystem::equivalent(options.in, options.out, not_there))
+    throw config::Error("IN and OUT are the same file");
   LogReader reader(options.in);
   LogWriter writer(options.out);
   const auto started = std::chrono::steady_clock::now();
