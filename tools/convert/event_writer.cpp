@@ -8,6 +8,7 @@
 #include <pico/laser_scan_t.hpp>
 #include <pico/odometry_t.hpp>
 
+#include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
 #include "common/messages/validate.hpp"
@@ -25,13 +26,6 @@ constexpr double kDerivedValidMin = 0.05;
 /// Of range_max: lasers say "no return" with range_max and a little noise, and never measure
 /// a return that far.
 constexpr double kDerivedValidShare = 0.99;
-
-template <class Message>
-std::vector<std::uint8_t> encode(const Message& message) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  return bytes;
-}
 
 std::string metres(double value) {
   std::ostringstream text;
@@ -61,7 +55,7 @@ std::string_view EventWriter::write(const char* channel, Message& message) {
   }
   first_utime_ = std::min(first_utime_, message.utime);
   last_utime_ = std::max(last_utime_, message.utime);
-  const auto bytes = encode(message);
+  const auto bytes = detail::encode(message);
   log_->write(channel, last_utime_, bytes.data(), bytes.size());
   status_->published(channel, stamp_of(message));
   return {};
@@ -136,7 +130,7 @@ void EventWriter::finish() {
   // What this very run used is not part of the recording.
   message.rss_bytes = 0;
   message.cpu_s = 0.0;
-  const auto bytes = encode(message);
+  const auto bytes = detail::encode(message);
   log_->write(status_->channel(), last_utime_, bytes.data(), bytes.size());
   log_->close();
 }
