@@ -32,46 +32,28 @@ bool turns(const Step& mean, const Step& next, const ClusterParameters& cluster)
   return turn > std::max(cluster.min_turn, noise);
 }
 
-}  // namespace
-
-double spacing(const Beam& beam, const ClusterParameters& cluster) {
-  return std::max(cluster.min_spacing, cluster.spacing_sigmas * beam.sigma);
-}
-
-std::vector<ResampledPoint> resample(const Beams& beams, std::size_t begin, std::size_t end,
-                                     const ClusterParameters& cluster) {
-  std::vector<ResampledPoint> points;
-  for (std::size_t first = begin; first < end;) {
-    const double least = spacing(beams[first], cluster);
-    Vector2 sum = beams[first].location;
-    std::size_t i = first + 1;
-    while (i < end && (beams[i].location - beams[first].location).squaredNorm() < least * least)
-      sum += beams[i++].location;
-    const auto beams_in_it = static_cast<double>(i - first);
-    points.push_back({.location = sum / beams_in_it,
-                      .along = beams[first].along,
-                      .variance = beams[first].sigma * beams[first].sigma / beams_in_it,
-                      .begin = first,
-                      .end = i});
-    first = i;
-  }
-  return points;
-}
-
-std::vector<std::size_t> angle_clusters(const Beams& beams, std::size_t begin, std::size_t end,
-                                        const ClusterParameters& cluster) {
-  const std::vector<ResampledPoint> points = resample(beams, begin, end, cluster);
-  std::vector<std::size_t> begins = {begin};
+/// Adds the clusters of the beams begin to end - 1.
+void cluster_stretch(const Sweep& sweep, const Run& stretch, const ClusterParameters& cluster,
+                     std::vector<ResampledPoint>& points, std::vector<Run>& runs) {
+  resample(sweep.beams, stretch.begin, stretch.end, cluster, points);
   std::size_t first = 0;
   for (std::size_t last = 1; last + 1 < points.size(); ++last) {
     if (last == first) continue;
     const Step mean = step_between(points[first], points[last]);
     const Step next = step_between(points[last], points[last + 1]);
     if (!turns(mean, next, cluster)) continue;
+    runs.push_back(make_run(sweep.sums, points[first].begin, points[last].end));
     first = last + 1;
-    begins.push_back(points[first].begin);
   }
-  return begins;
+  runs.push_back(make_run(sweep.sums, points[first].begin, stretch.end));
+}
+
+}  // namespace
+
+void angle_clustering(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
+                      std::vector<Run>& runs) {
+  for (const Run& stretch : sweep.stretches)
+    cluster_stretch(sweep, stretch, parameters.cluster, workspace.points, runs);
 }
 
 }  // namespace perceptor::scan

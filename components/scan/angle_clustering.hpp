@@ -10,28 +10,11 @@
 
 #include <vector>
 
-#include "components/scan/beams.hpp"
+#include "components/scan/methods.hpp"
 
 namespace perceptor::scan {
 
-/// Some beams that follow each other, as one point.
-struct ResampledPoint {
-  Vector2 location{0.0, 0.0};  ///< [m] mean of the beams' ends
-  Vector2 along{1.0, 0.0};     ///< direction of the first beam
-  double variance = 0.0;       ///< [m^2] of the mean, along the beams
-  std::size_t begin = 0;       ///< first beam
-  std::size_t end = 0;         ///< after the last beam
-};
-
-/// Distance that resampled points keep at this beam [m].
-double spacing(const Beam& beam, const ClusterParameters& cluster);
-
-/// The beams begin to end - 1 as points.
-std::vector<ResampledPoint> resample(const Beams& beams, std::size_t begin, std::size_t end,
-                                     const ClusterParameters& cluster);
-
-/// Where clusters begin among the beams begin to end - 1, `begin` included, in order.
-std::vector<std::size_t> angle_clusters(const Beams& beams, std::size_t begin, std::size_t end,
-                                        const ClusterParameters& cluster);
+void angle_clustering(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
+                      std::vector<Run>& runs);
 
 }  // namespace perceptor::scan

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "common/geometry/polygon.hpp"
+#include "common/model/sweeping_laser.hpp"
 
 namespace perceptor::scan {
 namespace {
@@ -12,112 +15,180 @@ namespace {
 /// No range is better known than this [m]: keeps weights finite where a scan claims no noise.
 constexpr double kSmallestSigma = 1e-4;
 
-/// Steps of bearing from which beams are missing in between.
-constexpr double kMissingSteps = 1.5;
+/// [m] A laser moves by less during a sweep.
+constexpr double kSweepMotion = 0.1;
 
-/// Standard deviations by which noise alone may set two ranges apart.
-constexpr double kNoiseSigmas = 3.0 * std::numbers::sqrt2;
+/// Beams that are looked at together.
+constexpr int kBlock = 16;
 
-Beam make_beam(const LaserScan& scan, const BeamEnd& end, const NoiseParameters& noise) {
-  const double growth = noise.sigma_growth * end.range;
-  const double sigma = std::sqrt(scan.range_sigma * scan.range_sigma + growth * growth);
-  return {.location = end.location,
-          .along = (end.location - end.origin) / end.range,
-          .range = end.range,
-          .sigma = std::max(sigma, kSmallestSigma),
-          .bearing = scan.bearings[end.beam]};
-}
-
-/// Counter-clockwise [rad].
-double step_between(const Beam& from, const Beam& to) {
-  const double step = to.bearing - from.bearing;
-  return step < 0.0 ? step + 2.0 * std::numbers::pi : step;
-}
-
-bool is_gap(const Beams& beams, const Beam& from, const Beam& to, double step) {
-  const double distance_squared = (to.location - from.location).squaredNorm();
-  const double noise = kNoiseSigmas * std::max(from.sigma, to.sigma);
-  const double nearer = std::min(from.range, to.range);
-  const double reach = noise + nearer * step * beams.grazing;
-  const bool beams_are_missing = step > kMissingSteps * beams.increment;
-  const double limit = beams_are_missing ? std::min(reach, noise + beams.max_hole) : reach;
-  return distance_squared > limit * limit;
-}
-
-/// Beams that jump away from both neighbours, which belong together.
-void remove_strays(Beams& usable) {
-  std::vector<Beam>& beams = usable.beams;
-  if (beams.size() < 3) return;
-  const auto jumps = [&usable](const Beam& from, const Beam& to) {
-    return is_gap(usable, from, to, step_between(from, to));
-  };
-  std::size_t kept = 1;
-  for (std::size_t i = 1; i < beams.size(); ++i) {
-    const bool is_last = i + 1 == beams.size();
-    const bool is_stray = !is_last && jumps(beams[kept - 1], beams[i]) &&
-                          jumps(beams[i], beams[i + 1]) && !jumps(beams[kept - 1], beams[i + 1]);
-    if (!is_stray) beams[kept++] = beams[i];
-  }
-  beams.resize(kept);
+template <class Do>
+void for_each_array(Beams& beams, Do act) {
+  act(beams.x);
+  act(beams.y);
+  act(beams.range);
+  act(beams.bearing);
+  act(beams.beam);
 }
 
 /// The farthest end in view lies at a corner, whatever the room: the one place to begin at
 /// that does not depend on where the sweep began.
-void begin_at_farthest(std::vector<Beam>& beams) {
-  const auto farthest = std::ranges::max_element(beams, {}, &Beam::range);
-  std::ranges::rotate(beams, farthest);
+void begin_at_farthest(Beams& beams) {
+  const auto farthest = std::ranges::max_element(beams.range) - beams.range.begin();
+  for_each_array(beams, [&](auto& array) { std::ranges::rotate(array, array.begin() + farthest); });
+  for (auto bearing = beams.bearing.end() - farthest; bearing != beams.bearing.end(); ++bearing)
+    *bearing += 2.0 * std::numbers::pi;
+}
+
+void weigh(Beams& beams) {
+  const double base = beams.range_sigma * beams.range_sigma;
+  const double growth = beams.sigma_growth * beams.sigma_growth;
+  beams.weight.resize(beams.count);
+  for (std::size_t i = 0; i < beams.count; ++i) {
+    const double squared = beams.range[i] * beams.range[i];
+    beams.weight[i] = squared / (base + growth * squared);
+  }
+}
+
+/// Moves the elements begin to end - 1 to an earlier place.
+template <class T>
+void shift(std::vector<T>& array, std::size_t begin, std::size_t end, std::size_t to) {
+  if (begin == to) return;
+  std::copy(array.begin() + static_cast<std::ptrdiff_t>(begin),
+            array.begin() + static_cast<std::ptrdiff_t>(end),
+            array.begin() + static_cast<std::ptrdiff_t>(to));
+}
+
+/// How far from the laser the footprint reaches [m].
+double reach_of(const std::vector<Vector2>& footprint, const Vector2& laser) {
+  double reach = 0.0;
+  if (footprint.size() < 3) return reach;
+  for (const Vector2& corner : footprint) reach = std::max(reach, distance(corner, laser));
+  return reach + kSweepMotion;
 }
 
 }  // namespace
 
-bool is_gap(const Beams& beams, std::size_t i, std::size_t j) {
-  return is_gap(beams, beams[i], beams[j], step_between(beams[i], beams[j]));
+double Beams::sigma(std::size_t i) const { return range[i] / std::sqrt(weight[i]); }
+
+BeamReader::BeamReader(const NoiseParameters& noise, const GapParameters& gap,
+                       std::vector<Vector2> footprint)
+    : noise_(noise), gap_(gap), footprint_(std::move(footprint)) {}
+
+void BeamReader::lay_out(const LaserScan& scan, const Twist& twist, Beams& beams) const {
+  const std::size_t size = scan.size();
+  const std::vector<double>& cosine = directions_.cosine();
+  const std::vector<double>& sine = directions_.sine();
+  beams.x.resize(size);
+  beams.y.resize(size);
+  beams.laser = scan.laser_in_robot.location();
+  SweepingLaser laser(scan.laser_in_robot, twist, scan.time_increment);
+  if (laser.stands()) {
+    for (std::size_t i = 0; i < size; ++i) {
+      beams.x[i] = scan.ranges[i] * cosine[i];
+      beams.y[i] = scan.ranges[i] * sine[i];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const SweepingLaser::Place place = laser.next();
+    const double along_x = place.cosine * cosine[i] - place.sine * sine[i];
+    const double along_y = place.sine * cosine[i] + place.cosine * sine[i];
+    beams.x[i] = place.origin.x() + scan.ranges[i] * along_x;
+    beams.y[i] = place.origin.y() + scan.ranges[i] * along_y;
+    if (i == size / 2) beams.laser = place.origin;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    beams.x[i] -= beams.laser.x();
+    beams.y[i] -= beams.laser.y();
+  }
 }
 
-double variance_across(const Beam& beam, const Vector2& normal, const NoiseParameters& noise) {
-  const double across = beam.sigma * beam.along.dot(normal);
-  return across * across + noise.surface_roughness * noise.surface_roughness;
+void BeamReader::put_in_order(const LaserScan& scan, Beams& beams) {
+  const std::vector<std::uint32_t>& order = directions_.order();
+  beams.range = scan.ranges;
+  beams.bearing = scan.bearings;
+  beams.beam = order;
+  if (directions_.is_sorted()) return;
+  for (std::vector<double>* array : {&beams.x, &beams.y, &beams.range, &beams.bearing}) {
+    in_order_.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) in_order_[i] = (*array)[order[i]];
+    array->swap(in_order_);
+  }
 }
 
-double distance_between_beams(const Beams& beams, const Beam& beam, const Vector2& normal) {
-  const double incidence = std::abs(beam.along.dot(normal));
+void BeamReader::keep_returns(const LaserScan& scan, Beams& beams) const {
+  const double nearest = std::max(scan.valid_min, std::numeric_limits<double>::min());
+  const double farthest = std::min(scan.valid_max, std::numeric_limits<double>::max());
+  const double own_reach = reach_of(footprint_, scan.laser_in_robot.location());
+  const auto is_plain = [&](double range) {
+    return static_cast<int>(range >= std::max(nearest, own_reach)) &
+           static_cast<int>(range <= farthest);
+  };
+  const auto is_usable = [&](std::size_t i) {
+    const double range = beams.range[i];
+    if (!(range >= nearest && range <= farthest)) return false;
+    const bool is_on_robot = range < own_reach && contains(footprint_, beams.location(i));
+    beams.in_footprint += is_on_robot ? 1 : 0;
+    return !is_on_robot;
+  };
+
+  const std::size_t size = scan.size();
+  beams.in_footprint = 0;
+  beams.count = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!is_usable(i)) continue;
+    const std::size_t begin = i++;
+    // Mostly whole blocks of beams returned from elsewhere: one look at several.
+    for (bool go_on = true; go_on && i + kBlock <= size; i += go_on ? kBlock : 0) {
+      int plain = 0;
+      for (std::size_t k = 0; k < kBlock; ++k) plain += is_plain(beams.range[i + k]);
+      go_on = plain == kBlock;
+    }
+    while (i < size && is_usable(i)) ++i;
+    for_each_array(beams, [&](auto& array) { shift(array, begin, i, beams.count); });
+    beams.count += i - begin;
+  }
+  beams.no_return = size - beams.count - beams.in_footprint;
+  for_each_array(beams, [&](auto& array) { array.resize(beams.count); });
+}
+
+void BeamReader::read(const LaserScan& scan, const Twist& twist, Beams& beams) {
+  directions_.update(scan);
+  beams.increment = directions_.increment();
+  beams.grazing = 1.0 / std::sin(gap_.min_incidence);
+  beams.max_hole = gap_.max_hole;
+  beams.range_sigma = std::max(scan.range_sigma, kSmallestSigma);
+  beams.sigma_growth = noise_.sigma_growth;
+  lay_out(scan, twist, beams);
+  put_in_order(scan, beams);
+  keep_returns(scan, beams);
+  beams.is_circle = directions_.is_circle() && beams.count > 2;
+  if (beams.is_circle) begin_at_farthest(beams);
+  weigh(beams);
+}
+
+void repeat(Beams& beams) {
+  const auto count = static_cast<std::ptrdiff_t>(beams.count);
+  const auto append = [&](auto& array) {
+    array.resize(2 * beams.count);
+    std::copy_n(array.begin(), count, array.begin() + count);
+  };
+  for_each_array(beams, append);
+  append(beams.weight);
+  for (std::size_t i = beams.count; i < 2 * beams.count; ++i)
+    beams.bearing[i] += 2.0 * std::numbers::pi;
+}
+
+double variance_across(const Beams& beams, std::size_t i, double line_distance,
+                       const NoiseParameters& noise) {
+  return line_distance * line_distance / beams.weight[i] +
+         noise.surface_roughness * noise.surface_roughness;
+}
+
+double distance_between_beams(const Beams& beams, std::size_t i, const Vector2& normal) {
+  const double incidence = std::abs(beams.end(i).dot(normal)) / beams.range[i];
   const double stretched = incidence * beams.grazing > 1.0 ? 1.0 / incidence : beams.grazing;
-  return beam.range * beams.increment * stretched;
-}
-
-Beams usable_beams(const LaserScan& scan, const Twist& twist, const std::vector<Vector2>& footprint,
-                   const ScanParameters& parameters) {
-  const std::vector<BeamEnd> ends = beam_ends(scan, twist);
-  Beams usable;
-  usable.grazing = 1.0 / std::sin(parameters.gap.min_incidence);
-  usable.max_hole = parameters.gap.max_hole;
-  usable.no_return = scan.size() - ends.size();
-  if (ends.empty()) return usable;
-
-  const bool has_footprint = footprint.size() >= 3;
-  usable.beams.reserve(ends.size());
-  for (const BeamEnd& end : ends) {
-    if (has_footprint && contains(footprint, end.location))
-      ++usable.in_footprint;
-    else
-      usable.beams.push_back(make_beam(scan, end, parameters.noise));
-  }
-  const auto [smallest, largest] = std::ranges::minmax_element(scan.bearings);
-  if (scan.size() > 1)
-    usable.increment = (*largest - *smallest) / static_cast<double>(scan.size() - 1);
-  usable.laser = ends[ends.size() / 2].origin;
-
-  const double around = *largest - *smallest + 2.0 * usable.increment;
-  usable.is_circle = usable.beams.size() > 2 && around >= 2.0 * std::numbers::pi;
-  if (usable.is_circle) begin_at_farthest(usable.beams);
-  remove_strays(usable);
-  usable.count = usable.beams.size();
-  if (usable.is_circle) {
-    usable.beams.resize(2 * usable.count);
-    std::copy_n(usable.beams.begin(), usable.count,
-                usable.beams.begin() + static_cast<std::ptrdiff_t>(usable.count));
-  }
-  return usable;
+  return beams.range[i] * beams.increment * stretched;
 }
 
 }  // namespace perceptor::scan

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <optional>
 
 #include <Eigen/LU>
 
@@ -17,10 +17,10 @@ constexpr double kMostSteps = 5.0;
 
 /// Two runs that follow each other.
 struct Cut {
-  Run before;
-  Run after;
-  Wall* wall_before = nullptr;  ///< that ends at the cut, if one does
-  Wall* wall_after = nullptr;   ///< that begins at the cut, if one does
+  const Run& before;
+  const Run& after;
+  const Wall* wall_before = nullptr;  ///< that ends at the cut, if one does
+  const Wall* wall_after = nullptr;   ///< that begins at the cut, if one does
 
   std::size_t last() const { return before.end - 1; }
   std::size_t next() const { return after.begin; }
@@ -37,9 +37,14 @@ Eigen::Matrix2d intersection_covariance(const Wall& first, const Wall& second,
   return place_of_offsets * variances.asDiagonal() * place_of_offsets.transpose();
 }
 
+/// Left turns, as the laser goes round, are the inside of a room.
+PointProperty property_of_turn(const Vector2& before, const Vector2& after) {
+  return cross(before, after) > 0.0 ? PointProperty::concave : PointProperty::convex;
+}
+
 /// Where the walls on both sides of the cut meet, close to the end of both.
-std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
-                                     const ScanParameters& parameters) {
+std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
+                                    const ScanParameters& parameters) {
   if (cut.wall_before == nullptr || cut.wall_after == nullptr) return std::nullopt;
   const Wall& first = *cut.wall_before;
   const Wall& second = *cut.wall_after;
@@ -48,106 +53,107 @@ std::optional<WallEnd> meeting_point(const Cut& cut, const Beams& beams,
 
   const Vector2 place = intersection(first.line, second.line);
   const auto is_within_reach = [&](const Wall& wall, const WallEnd& end, std::size_t beam) {
-    const double reach = parameters.corner.reach +
-                         2.0 * distance_between_beams(beams, beams[beam], wall.line.normal);
+    const double reach =
+        parameters.corner.reach + 2.0 * distance_between_beams(beams, beam, wall.line.normal);
     return distance(place, end.location) <= reach;
   };
   if (!is_within_reach(first, first.last, first.last_beam) ||
       !is_within_reach(second, second.first, second.first_beam))
     return std::nullopt;
-  return WallEnd{.location = place, .covariance = intersection_covariance(first, second, place)};
-}
-
-/// The nearer of the two beams at a cut, where the range jumps between them.
-std::optional<std::size_t> spike(const Cut& cut, const Beams& beams,
-                                 const ScanParameters& parameters) {
-  const double jump = beams[cut.next()].range - beams[cut.last()].range;
-  const double step =
-      std::remainder(beams[cut.next()].bearing - beams[cut.last()].bearing, 2.0 * std::numbers::pi);
-  const bool is_jump = std::abs(step) <= kMostSteps * beams.increment &&
-                       std::abs(jump) >= parameters.corner.spike_jump &&
-                       is_gap(beams, cut.last(), cut.next());
-  if (!is_jump) return std::nullopt;
-  return jump > 0.0 ? cut.last() : cut.next();
-}
-
-/// Whether the direction turns between two runs that adjoin.
-bool is_vector_corner(const Cut& cut, const Beams& beams, const ScanParameters& parameters) {
-  if (!adjoin(beams, cut.before, cut.after)) return false;
-  const Line first = fit_line(cut.before.moments, beams.laser);
-  const Line second = fit_line(cut.after.moments, beams.laser);
-  const double sine = std::abs(cross(first.direction, second.direction));
-  return sine > std::sin(parameters.corner.vector_angle);
-}
-
-/// Of the end of a single beam: along it by its noise, across it by the step between beams.
-WallEnd end_of(const Beam& beam, double increment) {
-  const double along = beam.sigma * beam.sigma;
-  const double step = beam.range * increment;
-  const double across = step * step / 3.0;
-  const Vector2 sideways = perpendicular(beam.along);
-  return {.location = beam.location,
-          .covariance = along * beam.along * beam.along.transpose() +
-                        across * sideways * sideways.transpose()};
+  return Corner{
+      .place = {.location = place, .covariance = intersection_covariance(first, second, place)},
+      .method = CornerMethod::intersection,
+      .property = property_of_turn(first.line.direction, second.line.direction),
+      .beam = cut.next()};
 }
 
 bool has_beams_for_corner(const Run& run, const ScanParameters& parameters) {
   return run.size() >= static_cast<std::size_t>(parameters.corner.min_beams);
 }
 
-/// Says of each wall at the cut how its corner was seen; gives the corner without a wall.
-std::optional<LoneCorner> look_at(const Cut& cut, WallCorners& before, WallCorners& after,
-                                  const Beams& beams, const ScanParameters& parameters) {
-  if (const std::optional<WallEnd> meeting = meeting_point(cut, beams, parameters)) {
-    cut.wall_before->last = *meeting;
-    cut.wall_after->first = *meeting;
-    before.last = CornerMethod::intersection;
-    after.first = CornerMethod::intersection;
+/// Of the end of a single beam: along it by its noise, across it by the step between beams.
+WallEnd end_of(const Beams& beams, std::size_t i) {
+  const Vector2 along = unit(beams.end(i));
+  const Vector2 sideways = perpendicular(along);
+  const double noise = beams.sigma(i) * beams.sigma(i);
+  const double step = beams.range[i] * beams.increment;
+  const double across = step * step / 3.0;
+  return {
+      .location = beams.location(i),
+      .covariance = noise * along * along.transpose() + across * sideways * sideways.transpose()};
+}
+
+/// The nearer of the two beams at a cut, where the range jumps between them.
+std::optional<Corner> spike(const Cut& cut, const Beams& beams, const ScanParameters& parameters) {
+  const double jump = beams.range[cut.next()] - beams.range[cut.last()];
+  const double step = beams.bearing[cut.next()] - beams.bearing[cut.last()];
+  const bool is_jump = step <= kMostSteps * beams.increment &&
+                       std::abs(jump) >= parameters.corner.spike_jump &&
+                       is_gap(beams, cut.last(), cut.next());
+  if (!is_jump) return std::nullopt;
+  const bool is_before = jump > 0.0;
+  const std::size_t nearer = is_before ? cut.last() : cut.next();
+  const Wall* wall = is_before ? cut.wall_before : cut.wall_after;
+  if (wall == nullptr && !has_beams_for_corner(is_before ? cut.before : cut.after, parameters))
     return std::nullopt;
-  }
-  if (const std::optional<std::size_t> nearer = spike(cut, beams, parameters)) {
-    const bool is_before = *nearer == cut.last();
-    const bool has_wall = (is_before ? cut.wall_before : cut.wall_after) != nullptr;
-    if (has_wall) {
-      (is_before ? before.last : after.first) = CornerMethod::spike;
-      return std::nullopt;
-    }
-    if (!has_beams_for_corner(is_before ? cut.before : cut.after, parameters)) return std::nullopt;
-    return LoneCorner{.place = end_of(beams[*nearer], beams.increment),
-                      .method = CornerMethod::spike,
-                      .beam = *nearer};
-  }
+  Corner corner{.place = end_of(beams, nearer),
+                .method = CornerMethod::spike,
+                .property = PointProperty::convex,
+                .beam = nearer};
+  if (wall != nullptr) corner.place = is_before ? wall->last : wall->first;
+  return corner;
+}
+
+/// Where the direction turns between two runs that adjoin.
+std::optional<Corner> vector_corner(const Cut& cut, const Beams& beams,
+                                    const ScanParameters& parameters) {
   const bool has_beams =
       has_beams_for_corner(cut.before, parameters) && has_beams_for_corner(cut.after, parameters);
-  if (!has_beams || !is_vector_corner(cut, beams, parameters)) return std::nullopt;
-  if (cut.wall_before != nullptr) before.last = CornerMethod::vector;
-  if (cut.wall_after != nullptr) after.first = CornerMethod::vector;
-  if (cut.wall_before != nullptr || cut.wall_after != nullptr) return std::nullopt;
-  return LoneCorner{.place = end_of(beams[cut.next()], beams.increment),
-                    .method = CornerMethod::vector,
-                    .beam = cut.next()};
+  if (!has_beams || !adjoin(beams, cut.before, cut.after)) return std::nullopt;
+  const Line first = make_line(polar_line(cut.before.moments), beams.laser);
+  const Line second = make_line(polar_line(cut.after.moments), beams.laser);
+  const double sine = std::abs(cross(first.direction, second.direction));
+  if (sine <= std::sin(parameters.corner.vector_angle)) return std::nullopt;
+  Corner corner{.place = end_of(beams, cut.next()),
+                .method = CornerMethod::vector,
+                .property = property_of_turn(first.direction, second.direction),
+                .beam = cut.next()};
+  if (cut.wall_after != nullptr) corner.place = cut.wall_after->first;
+  if (cut.wall_before != nullptr) corner.place = cut.wall_before->last;
+  return corner;
 }
 
 }  // namespace
 
-Corners find_corners(const std::vector<Run>& runs, std::vector<std::optional<Wall>>& walls,
-                     const Beams& beams, const ScanParameters& parameters) {
-  Corners corners;
-  corners.of_walls.resize(runs.size());
-  const std::size_t cuts =
-      beams.is_circle ? runs.size() : runs.size() - std::min<std::size_t>(runs.size(), 1);
+void find_corners(const std::vector<RunResult>& runs, const std::vector<Wall>& walls,
+                  const Beams& beams, const ScanParameters& parameters,
+                  std::vector<Corner>& corners) {
+  corners.clear();
+  if (runs.empty()) return;
+  const std::size_t cuts = beams.is_circle ? runs.size() : runs.size() - 1;
   for (std::size_t i = 0; i < cuts; ++i) {
-    const std::size_t j = (i + 1) % runs.size();
-    Cut cut{.before = runs[i], .after = j > i ? runs[j] : past_seam(runs[j], beams)};
-    if (walls[i] && walls[i]->last_beam + kLooseBeams >= cut.last()) cut.wall_before = &*walls[i];
-    const std::size_t turned = j > i ? 0 : beams.count;
-    if (walls[j] && walls[j]->first_beam + turned <= cut.next() + kLooseBeams)
-      cut.wall_after = &*walls[j];
-    const std::optional<LoneCorner> lone =
-        look_at(cut, corners.of_walls[i], corners.of_walls[j], beams, parameters);
-    if (lone) corners.lone.push_back(*lone);
+    const bool passes_seam = i + 1 == runs.size();
+    const RunResult& before = runs[i];
+    const RunResult& after = runs[passes_seam ? 0 : i + 1];
+    const Run run_after = passes_seam ? past_seam(after.run, beams) : after.run;
+    const std::size_t turned = passes_seam ? beams.count : 0;
+
+    Cut cut{.before = before.run, .after = run_after};
+    if (before.wall != kNoWall && walls[before.wall].last_beam + kLooseBeams >= cut.last())
+      cut.wall_before = &walls[before.wall];
+    if (after.wall != kNoWall && walls[after.wall].first_beam + turned <= cut.next() + kLooseBeams)
+      cut.wall_after = &walls[after.wall];
+
+    std::optional<Corner> corner = meeting_point(cut, beams, parameters);
+    if (!corner) corner = spike(cut, beams, parameters);
+    if (!corner) corner = vector_corner(cut, beams, parameters);
+    if (!corner) continue;
+    const bool sees_before = corner->method != CornerMethod::spike || corner->beam == cut.last();
+    const bool sees_after = corner->method != CornerMethod::spike || corner->beam == cut.next();
+    if (cut.wall_before != nullptr && sees_before) corner->before = before.wall;
+    if (cut.wall_after != nullptr && sees_after) corner->after = after.wall;
+    corners.push_back(*corner);
   }
-  return corners;
 }
 
 }  // namespace perceptor::scan

@@ -5,7 +5,8 @@
 ///   vector: the direction turns between two neighbours, one of which is no wall.
 #pragma once
 
-#include <optional>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "common/model/map.hpp"
@@ -13,27 +14,30 @@
 
 namespace perceptor::scan {
 
-/// What was seen of the two ends of a wall.
-struct WallCorners {
-  CornerMethod first = CornerMethod::none;
-  CornerMethod last = CornerMethod::none;
+inline constexpr std::size_t kNoWall = std::numeric_limits<std::size_t>::max();
+
+/// What a run of beams shows.
+struct RunResult {
+  Run run;
+  Verdict verdict = Verdict::wall;
+  std::size_t wall = kNoWall;  ///< index into the walls, where the verdict is `wall`
 };
 
-/// A corner that no wall ends in.
-struct LoneCorner {
+struct Corner {
   WallEnd place;
   CornerMethod method = CornerMethod::none;
-  std::size_t beam = 0;  ///< the beam that shows it
+  /// Convex sticks out into free space, concave is the inside of a room's corner. Floating:
+  /// one side is too short for its direction to be known.
+  PointProperty property = PointProperty::floating;
+  std::size_t before = kNoWall;  ///< the wall that ends at it, if one does
+  std::size_t after = kNoWall;   ///< the wall that begins at it, if one does
+  std::size_t beam = 0;          ///< that shows it, index into Beams
 };
 
-struct Corners {
-  std::vector<WallCorners> of_walls;  ///< one for each run; none where it shows no wall
-  std::vector<LoneCorner> lone;
-};
-
-/// Looks at the cuts between runs that follow each other. Ends of walls that meet in an
-/// intersection are moved there, with its covariance. `walls[i]` is what run i shows.
-Corners find_corners(const std::vector<Run>& runs, std::vector<std::optional<Wall>>& walls,
-                     const Beams& beams, const ScanParameters& parameters);
+/// Looks at the cuts between runs that follow each other; one corner for each cut at most, in
+/// their order.
+void find_corners(const std::vector<RunResult>& runs, const std::vector<Wall>& walls,
+                  const Beams& beams, const ScanParameters& parameters,
+                  std::vector<Corner>& corners);
 
 }  // namespace perceptor::scan

@@ -1,11 +1,13 @@
 /// @file The best line through a run of beams, in constant time from prefix sums.
 ///
-/// The range noise of a beam, projected on the normal of a wall at distance d from the laser,
-/// is sigma d / range. Total least squares with the weight (range / sigma)^2 therefore
-/// minimises what the maximum likelihood does, whatever the direction of the line, and the
-/// weight does not depend on the line: sums of moments serve for every run of beams.
+/// A line that does not pass through the laser is a x + b y = 1, seen from there. A beam whose
+/// range errs by e ends off it by r (a x + b y - 1) = e, to first order, whatever the direction:
+/// minimising the sum of (r / sigma)^2 (a x + b y - 1)^2 is maximum likelihood for noise of the
+/// range, in closed form, and the weight does not depend on the line: sums of moments serve for
+/// every run of beams.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "components/scan/beams.hpp"
@@ -23,30 +25,86 @@ struct Moments {
   double yy = 0.0;
 };
 
-Moments operator+(const Moments& a, const Moments& b);
-Moments operator-(const Moments& a, const Moments& b);
+inline Moments operator+(const Moments& a, const Moments& b) {
+  return {.beams = a.beams + b.beams,
+          .w = a.w + b.w,
+          .x = a.x + b.x,
+          .y = a.y + b.y,
+          .xx = a.xx + b.xx,
+          .xy = a.xy + b.xy,
+          .yy = a.yy + b.yy};
+}
+
+inline Moments operator-(const Moments& a, const Moments& b) {
+  return {.beams = a.beams - b.beams,
+          .w = a.w - b.w,
+          .x = a.x - b.x,
+          .y = a.y - b.y,
+          .xx = a.xx - b.xx,
+          .xy = a.xy - b.xy,
+          .yy = a.yy - b.yy};
+}
+
+/// Of a single beam.
+inline Moments moments_of(const Beams& beams, std::size_t i) {
+  const double w = beams.weight[i];
+  const double x = beams.x[i];
+  const double y = beams.y[i];
+  return {.beams = 1.0,
+          .w = w,
+          .x = w * x,
+          .y = w * y,
+          .xx = w * x * x,
+          .xy = w * x * y,
+          .yy = w * y * y};
+}
 
 /// Sums up to each beam, of which those of any run are the difference.
 class PrefixMoments {
  public:
-  explicit PrefixMoments(const Beams& beams);
+  /// Sums the beams, in a circle all of them twice.
+  void sum(const Beams& beams);
 
   /// Of the beams begin to end - 1.
-  Moments of(std::size_t begin, std::size_t end) const { return sums_[end] - sums_[begin]; }
+  Moments of(std::size_t begin, std::size_t end) const {
+    const Sums& from = sums_[begin];
+    const Sums& to = sums_[end];
+    return {.beams = static_cast<double>(end - begin),
+            .w = to.w - from.w,
+            .x = to.x - from.x,
+            .y = to.y - from.y,
+            .xx = to.xx - from.xx,
+            .xy = to.xy - from.xy,
+            .yy = to.yy - from.yy};
+  }
 
  private:
-  std::vector<Moments> sums_;
+  struct Sums {
+    double w, x, y, xx, xy, yy;  // of Moments
+  };
+  std::vector<Sums> sums_;
 };
 
-/// Directed counter-clockwise as seen from the laser.
-struct Line {
-  Vector2 point{0.0, 0.0};      ///< [m] weighted mean of its beams, robot frame
-  Vector2 direction{1.0, 0.0};  ///< unit vector
-  Vector2 normal{0.0, 1.0};     ///< unit vector to the left: towards the laser
+/// A line seen from the laser: a x + b y = 1.
+struct PolarLine {
+  double a = 0.0;  ///< [1/m]
+  double b = 0.0;  ///< [1/m]
+
+  /// [m] from the laser.
+  double distance() const { return 1.0 / std::sqrt(a * a + b * b); }
 };
 
-/// Of the best line through the beams, as long as there are two different ends among them.
-Line fit_line(const Moments& moments, const Vector2& laser);
+/// The best line through the beams. Beams that all lie in one direction have none: then both
+/// coefficients are zero, as of a line infinitely far away.
+inline PolarLine polar_line(const Moments& m) {
+  // Beams in one direction: the determinant is what rounding leaves of the product.
+  constexpr double kRounding = 1e-13;
+  const double determinant = m.xx * m.yy - m.xy * m.xy;
+  const double trace = m.xx + m.yy;
+  if (!(determinant > kRounding * trace * trace)) return {};
+  const double inverse = 1.0 / determinant;
+  return {.a = (m.x * m.yy - m.y * m.xy) * inverse, .b = (m.y * m.xx - m.x * m.xy) * inverse};
+}
 
 /// How well the best line explains its beams.
 struct Misfit {
@@ -55,16 +113,33 @@ struct Misfit {
   double variance = 0.0;    ///< [m^2] mean expected squared distance
 };
 
-/// Of the best line through the beams; cheaper than the line itself.
-Misfit misfit(const Moments& moments, const NoiseParameters& noise);
+/// Of the best line through the beams. `roughness`: rms [m] by which a real surface departs
+/// from a line, whatever the angle under which it is seen.
+inline Misfit misfit(const Moments& m, double roughness) {
+  const PolarLine line = polar_line(m);
+  const double inverse_squared_distance = line.a * line.a + line.b * line.b;
+  const double of_range = m.w - line.a * m.x - line.b * m.y;
+  const double noise = m.beams / m.w;  // mean squared angle [rad^2] that the range noise subtends
+  const double rough = roughness * roughness * inverse_squared_distance;
+  if (inverse_squared_distance == 0.0) return {};
+  const double chi_square = of_range > 0.0 ? of_range * noise / (noise + rough) : 0.0;
+  return {.chi_square = chi_square, .variance = (noise + rough) / inverse_squared_distance};
+}
+
+/// Directed counter-clockwise as seen from the laser.
+struct Line {
+  Vector2 point{0.0, 0.0};      ///< [m] on it, robot frame
+  Vector2 direction{1.0, 0.0};  ///< unit vector
+  Vector2 normal{0.0, 1.0};     ///< unit vector to the left: towards the laser
+};
+
+/// With its point nearest to the laser.
+Line make_line(const PolarLine& line, const Vector2& laser);
 
 /// Signed distance of a point from a line, positive on its left [m].
 double offset(const Line& line, const Vector2& point);
 
 /// Where two lines meet; they must not be parallel.
 Vector2 intersection(const Line& first, const Line& second);
-
-/// A line as directed counter-clockwise around the laser.
-Line make_line(const Vector2& point, const Vector2& direction, const Vector2& laser);
 
 }  // namespace perceptor::scan

@@ -6,6 +6,7 @@ namespace perceptor::scan {
 /// How a stretch of beams is cut at its corners; every other step is shared.
 enum class ScanMethod {
   angle_clustering,  ///< mean angle of the cluster against the next angle
+  split_and_merge,   ///< by likelihood ratios
 };
 
 /// How far a beam may lie from where the wall is.
@@ -55,7 +56,7 @@ struct CornerParameters {
 };
 
 struct ScanParameters {
-  ScanMethod method = ScanMethod::angle_clustering;
+  ScanMethod method = ScanMethod::split_and_merge;
   NoiseParameters noise;
   GapParameters gap;
   ClusterParameters cluster;

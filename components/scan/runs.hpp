@@ -1,9 +1,10 @@
-/// @file Runs of beams that one straight wall explains: cut at gaps, made exact, merged. What
-/// all methods share before and after they look for corners.
+/// @file Runs of beams that one straight wall may explain, and when two of them are one.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "components/scan/gaps.hpp"
 #include "components/scan/line_fit.hpp"
 
 namespace perceptor::scan {
@@ -19,27 +20,41 @@ struct Run {
   std::size_t size() const { return end - begin; }
 };
 
+/// All of a scan that the methods work on.
+struct Sweep {
+  Beams beams;
+  PrefixMoments sums;
+  std::vector<Run> stretches;  ///< between gaps, in order
+};
+
+/// Beams that a run needs for a line and a look at how well it fits.
+inline constexpr std::size_t kFewestBeams = 3;
+
+/// Beams between two pieces of one wall, or at a corner: more than these are something else.
+inline constexpr std::size_t kMostStrays = 5;
+
 /// A run of these beams, all of them counted.
 Run make_run(const PrefixMoments& sums, std::size_t begin, std::size_t end);
-
-/// Cut wherever the wall cannot go on.
-std::vector<Run> split_at_gaps(const Beams& beams, const PrefixMoments& sums);
-
-/// Whether two lines explain the beams no better than one: chi-square rises by less than
-/// `merge_chi2`, and what real surfaces bend by, when both share a line.
-bool one_line_explains(const Moments& first, const Moments& second,
-                       const ScanParameters& parameters);
-
-/// Whether the second run begins where the first ends, a few strays apart, without a gap.
-bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
 /// The same run, one turn later.
 Run past_seam(Run run, const Beams& beams);
 
-/// Makes of roughly cut runs those that one line explains each: cuts where a run is bent,
-/// moves each cut between neighbours to where two lines fit best, and merges neighbours that
-/// one line explains. In a circle this holds for the last run and the first, too.
-std::vector<Run> refine(std::vector<Run> runs, const Beams& beams, const PrefixMoments& sums,
-                        const ScanParameters& parameters);
+/// How much better two lines explain the beams than one, less what noise, and the bend of real
+/// surfaces, make of one line: negative where one line explains them [-].
+double gain_of_cut(const Moments& first, const Moments& second, const ScanParameters& parameters);
+
+/// Whether the second run begins where the first ends, a few strays apart, without a gap.
+bool adjoin(const Beams& beams, const Run& first, const Run& second);
+
+/// Whether what lies between two runs is small enough to be part of one wall: strays, or a hole.
+bool is_bridgeable(const Beams& beams, const Run& first, const Run& second);
+
+/// Both runs and what lies between them; that does not count.
+Run joined(const Run& first, const Run& second);
+
+/// In a circle, puts the first run behind the last: neighbours over the seam then stand next
+/// to each other. The first run always begins within the first turn, so that none ends after
+/// the second.
+void turn(std::vector<Run>& runs, const Beams& beams);
 
 }  // namespace perceptor::scan

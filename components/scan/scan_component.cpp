@@ -8,7 +8,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
-#include "components/scan/scan.hpp"
+#include "components/scan/current_map.hpp"
 
 namespace perceptor {
 namespace {
@@ -21,10 +21,7 @@ constexpr int kPositionCapacity = 400;
 }  // namespace
 
 ScanComponent::ScanComponent(const ScanConfig& config, Bus& bus)
-    : bus_(bus),
-      parameters_(config.scan),
-      footprint_(outline(config.robot)),
-      aligner_(config.aligner) {
+    : bus_(bus), extractor_(config.scan, outline(config.robot)), aligner_(config.aligner) {
   bus_.subscribe<pico::laser_scan_t>(channel::laser, kLaserCapacity,
                                      [this](const pico::laser_scan_t& sweep, bool began_anew) {
                                        aligner_.add_item(stamp_of(sweep), began_anew, sweep);
@@ -54,14 +51,13 @@ void ScanComponent::drain() {
 }
 
 void ScanComponent::publish_map(const LaserAligner::Paired& paired) {
-  const LaserScan sweep = to_model(paired.item);
-  const scan::CurrentMap current =
-      scan::extract_walls(sweep, paired.position.twist, footprint_, parameters_);
-  bus_.count(channel::laser, "beam without return", static_cast<std::int64_t>(current.no_return));
+  const scan::Extraction& found = extractor_.extract(to_model(paired.item), paired.position.twist);
+  bus_.count(channel::laser, "beam without return", static_cast<std::int64_t>(found.no_return));
   bus_.count(channel::laser, "beam on the robot itself",
-             static_cast<std::int64_t>(current.in_footprint));
+             static_cast<std::int64_t>(found.in_footprint));
 
-  pico::map_t message = make_map_message("robot", current.map);
+  pico::map_t message =
+      make_map_message("robot", scan::current_map(found, extractor_.parameters().corner));
   set_stamp(message, paired.stamp);
   message.map_id = paired.stamp.seq;
   message.zero_utime = paired.position.zero_utime;

@@ -6,12 +6,12 @@
 #pragma once
 
 #include <string_view>
-#include <vector>
 
 #include <pico/laser_scan_t.hpp>
 
 #include "common/bus/bus.hpp"
 #include "common/time/aligner.hpp"
+#include "components/scan/extractor.hpp"
 #include "components/scan/scan_config.hpp"
 
 namespace perceptor {
@@ -37,8 +37,7 @@ class ScanComponent {
   void publish_map(const LaserAligner::Paired& paired);
 
   Bus& bus_;
-  scan::ScanParameters parameters_;
-  std::vector<Vector2> footprint_;  // [m] robot frame
+  scan::WallExtractor extractor_;
   LaserAligner aligner_;
 };
 

@@ -63,7 +63,9 @@ void describe(config::Fields& fields, CornerParameters& p) {
 }
 
 void describe(config::Fields& fields, ScanParameters& p) {
-  fields.choice("method", p.method, {{"angle_clustering", ScanMethod::angle_clustering}},
+  fields.choice("method", p.method,
+                {{"split_and_merge", ScanMethod::split_and_merge},
+                 {"angle_clustering", ScanMethod::angle_clustering}},
                 "how beams are cut at corners");
   fields.group("noise", p.noise, "how far a beam may lie from where the wall is");
   fields.group("gap", p.gap, "where the wall cannot go on from one beam to the next");

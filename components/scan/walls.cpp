@@ -9,81 +9,94 @@ namespace {
 /// Fits after which the set of supporting beams has settled, or never will.
 constexpr int kFits = 3;
 
-/// The beams that support a line, and what they say about a better one.
+/// The beams of a run that support a line.
 struct Support {
   std::size_t first = 0;
   std::size_t last = 0;
   int count = 0;
-  double chi_square = 0.0;              ///< of their distances from the line
-  double w = 0.0;                       ///< [1/m^2] sum of inverse variances across the line
-  Vector2 mean{0.0, 0.0};               ///< [m] weighted, from the line's point
-  double xx = 0.0, xy = 0.0, yy = 0.0;  ///< [-] weighted, about the mean
+  Moments moments;
 };
 
-/// The beams of the run within some sigmas of the line. `excess` is their variance over what
-/// the noise says.
-Support find_support(const Run& run, const Beams& beams, const Line& line, double excess,
-                     const ScanParameters& parameters) {
-  const double sigmas = parameters.wall.support_sigmas;
-  const double limit = sigmas * sigmas * excess;
-  Support support;
-  Vector2 weighted = Vector2::Zero();
-  for (std::size_t i = run.begin; i < run.end; ++i) {
-    const double w = 1.0 / variance_across(beams[i], line.normal, parameters.noise);
-    const double off = offset(line, beams[i].location);
-    if (off * off * w > limit) continue;
-    if (support.count++ == 0) support.first = i;
-    support.last = i;
-    support.chi_square += off * off * w;
-    const Vector2 place = beams[i].location - line.point;
-    support.w += w;
-    weighted += w * place;
-    support.xx += w * place.x() * place.x();
-    support.xy += w * place.x() * place.y();
-    support.yy += w * place.y() * place.y();
-  }
-  if (support.count == 0) return support;
-  support.mean = weighted / support.w;
-  support.xx -= weighted.x() * support.mean.x();
-  support.xy -= weighted.x() * support.mean.y();
-  support.yy -= weighted.y() * support.mean.y();
-  return support;
-}
-
-/// The best line through the supporting beams of the line before.
-Line line_of(const Support& support, const Line& before, const Vector2& laser) {
-  const double angle = 0.5 * std::atan2(2.0 * support.xy, support.xx - support.yy);
-  return make_line(before.point + support.mean, Vector2(std::cos(angle), std::sin(angle)), laser);
-}
-
 /// By how much the beams scatter more than the noise says: not straight, or not so precise.
-double excess_of(double chi_square, double beams, const ScanParameters& parameters) {
-  const double degrees_of_freedom = std::max(1.0, beams - 2.0);
+double excess_of(const Moments& moments, const ScanParameters& parameters) {
+  const double chi_square = misfit(moments, parameters.noise.surface_roughness).chi_square;
+  const double degrees_of_freedom = std::max(1.0, moments.beams - 2.0);
   return std::clamp(chi_square / degrees_of_freedom, 1.0, parameters.wall.max_excess);
 }
 
-/// Inverse of the information that the beams hold about offset and angle at a place that is
-/// `along` [m] from their weighted mean: there, the two are independent.
-Eigen::Matrix2d covariance_at(double along, const Support& support, double excess) {
-  const double offset_variance = excess / support.w;
-  const double angle_variance = excess / (support.xx + support.yy);
+/// Whether no beam of the run is further from the line than the limits allow: several beams at a
+/// time, since mostly it is so.
+bool all_support(const Run& run, const Beams& beams, const PolarLine& line, double limit,
+                 double rough) {
+  const auto of_run = [&run](const std::vector<double>& array) {
+    return Eigen::Map<const Eigen::ArrayXd>(array.data() + run.begin,
+                                            static_cast<Eigen::Index>(run.size()));
+  };
+  const auto x = of_run(beams.x);
+  const auto y = of_run(beams.y);
+  const auto weight = of_run(beams.weight);
+  const auto off = line.a * x + line.b * y - 1.0;
+  return ((off.square() - rough) * weight).maxCoeff() <= limit;
+}
+
+/// The beams of the run within some sigmas of the line, `excess` their variance over what the
+/// noise says.
+Support find_support(const Run& run, const Sweep& sweep, const PolarLine& line, double excess,
+                     const ScanParameters& parameters) {
+  const Beams& beams = sweep.beams;
+  const double sigmas = parameters.wall.support_sigmas;
+  const double limit = sigmas * sigmas * excess;
+  const double roughness = parameters.noise.surface_roughness;
+  const double rough = limit * roughness * roughness * (line.a * line.a + line.b * line.b);
+  if (all_support(run, beams, line, limit, rough))
+    return {.first = run.begin,
+            .last = run.end - 1,
+            .count = static_cast<int>(run.size()),
+            .moments = sweep.sums.of(run.begin, run.end)};
+  Support support{.first = run.end, .moments = sweep.sums.of(run.begin, run.end)};
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const double off = line.a * beams.x[i] + line.b * beams.y[i] - 1.0;
+    if ((off * off - rough) * beams.weight[i] > limit) {
+      support.moments = support.moments - moments_of(beams, i);
+      continue;
+    }
+    if (support.count++ == 0) support.first = i;
+    support.last = i;
+  }
+  return support;
+}
+
+/// Inverse of the information that the beams hold about offset and angle of their line, at a
+/// place that is `along` [m] on it from where it is nearest to the laser.
+Eigen::Matrix2d covariance_at(double along, const Vector2& direction, const Moments& m,
+                              const Misfit& fit, double excess) {
+  // Of a beam, the inverse variance across the line is its weight times this.
+  const double information = m.beams / (m.w * fit.variance);
+  const double mean = (direction.x() * m.x + direction.y() * m.y) / m.w;
+  const double second = direction.x() * direction.x() * m.xx +
+                        2.0 * direction.x() * direction.y() * m.xy +
+                        direction.y() * direction.y() * m.yy;
+  // Where their weighted mean is, offset and angle are independent.
+  const double offset_variance = excess / (information * m.w);
+  const double angle_variance = excess / (information * (second - mean * mean * m.w));
+  const double lever = along - mean;
   Eigen::Matrix2d covariance;
-  covariance << offset_variance + along * along * angle_variance, along * angle_variance,
-      along * angle_variance, angle_variance;
+  covariance << offset_variance + lever * lever * angle_variance, lever * angle_variance,
+      lever * angle_variance, angle_variance;
   return covariance;
 }
 
-/// A wall goes on behind its last beam by up to the distance of beams on it.
-WallEnd end_at(const Beam& beam, const Wall& wall, const Beams& beams) {
-  const Line& line = wall.line;
-  const double beam_distance = distance_between_beams(beams, beam, line.normal);
-  const double along_noise = beam.sigma * beam.along.dot(line.direction);
-  const double along = beam_distance * beam_distance / 3.0 + along_noise * along_noise;
-
+/// Where the beam meets the wall's line. The wall goes on behind its last beam by up to the
+/// distance of beams on it.
+WallEnd end_at(std::size_t i, const PolarLine& polar, const Wall& wall, const Beams& beams) {
+  const Vector2 ray = beams.end(i);
+  const double beam_distance = distance_between_beams(beams, i, wall.line.normal);
+  const double along = beam_distance * beam_distance / 3.0;
   WallEnd end;
-  end.location = beam.location - offset(line, beam.location) * line.normal;
-  end.covariance = along * line.direction * line.direction.transpose() +
-                   variance_across(wall, end.location) * line.normal * line.normal.transpose();
+  end.location = beams.laser + ray / (polar.a * ray.x() + polar.b * ray.y());
+  end.covariance =
+      along * wall.line.direction * wall.line.direction.transpose() +
+      variance_across(wall, end.location) * wall.line.normal * wall.line.normal.transpose();
   return end;
 }
 
@@ -95,39 +108,41 @@ double variance_across(const Wall& wall, const Vector2& place) {
          along * along * wall.line_covariance(1, 1);
 }
 
-std::optional<Wall> fit_wall(const Run& run, const Beams& beams, const ScanParameters& parameters) {
-  const auto is_enough = [&parameters](const Support& support) {
-    const auto between = static_cast<double>(support.last - support.first + 1);
-    return support.count >= parameters.wall.min_beams &&
-           support.count >= parameters.wall.min_support_share * between;
-  };
-  Line line = fit_line(run.moments, beams.laser);
-  double excess =
-      excess_of(misfit(run.moments, parameters.noise).chi_square, run.moments.beams, parameters);
+Verdict fit_wall(const Run& run, const Sweep& sweep, const ScanParameters& parameters, Wall& wall) {
+  const Beams& beams = sweep.beams;
+  PolarLine line = polar_line(run.moments);
+  double excess = excess_of(run.moments, parameters);
   Support support;
+  support.count = static_cast<int>(run.moments.beams);
   for (int fit = 0; fit < kFits; ++fit) {
-    support = find_support(run, beams, line, excess, parameters);
-    if (!is_enough(support)) return std::nullopt;
-    line = line_of(support, line, beams.laser);
-    excess = excess_of(support.chi_square, support.count, parameters);
+    const int before = support.count;
+    support = find_support(run, sweep, line, excess, parameters);
+    const auto between = static_cast<double>(support.last + 1 - support.first);
+    if (support.count < parameters.wall.min_beams) return Verdict::too_few_beams;
+    if (support.count < parameters.wall.min_support_share * between) return Verdict::too_scattered;
+    if (support.count == before) break;
+    line = polar_line(support.moments);
+    excess = excess_of(support.moments, parameters);
   }
 
-  const double from = line.direction.dot(beams[support.first].location - line.point);
-  const double to = line.direction.dot(beams[support.last].location - line.point);
-  const double middle = 0.5 * (from + to);
-  Wall wall;
-  wall.line = line;
-  wall.line.point += middle * line.direction;
-  wall.line_covariance = covariance_at(middle, support, excess);
+  wall.line = make_line(line, beams.laser);
+  const Vector2 direction = wall.line.direction;
+  const auto along = [&](std::size_t i) { return direction.dot(beams.end(i)); };
+  const double middle = 0.5 * (along(support.first) + along(support.last));
+  const Misfit fit = misfit(support.moments, parameters.noise.surface_roughness);
+  wall.line.point += middle * direction;
+  wall.line_covariance = covariance_at(middle, direction, support.moments, fit, excess);
   wall.first_beam = support.first;
   wall.last_beam = support.last;
   wall.support = support.count;
-  const bool is_certain = std::sqrt(wall.line_covariance(1, 1)) <= parameters.wall.max_angle_sigma;
-  if (!is_certain || to - from < parameters.wall.min_length) return std::nullopt;
+  if (!(std::sqrt(wall.line_covariance(1, 1)) <= parameters.wall.max_angle_sigma))
+    return Verdict::too_uncertain;
 
-  wall.first = end_at(beams[support.first], wall, beams);
-  wall.last = end_at(beams[support.last], wall, beams);
-  return wall;
+  wall.first = end_at(support.first, line, wall, beams);
+  wall.last = end_at(support.last, line, wall, beams);
+  if (distance(wall.first.location, wall.last.location) < parameters.wall.min_length)
+    return Verdict::too_short;
+  return Verdict::wall;
 }
 
 }  // namespace perceptor::scan

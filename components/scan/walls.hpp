@@ -2,35 +2,44 @@
 /// its ends, and how certain both are.
 #pragma once
 
-#include <optional>
-#include <vector>
+#include <cstddef>
+
+#include <Eigen/Core>
 
 #include "components/scan/runs.hpp"
 
 namespace perceptor::scan {
 
-/// The end of a wall.
+/// The end of a wall, or a corner.
 struct WallEnd {
-  Vector2 location{0.0, 0.0};  ///< [m] on the wall's line, robot frame
+  Vector2 location{0.0, 0.0};  ///< [m] robot frame
   Eigen::Matrix2d covariance;  ///< [m^2]
 };
 
 /// Directed counter-clockwise as seen from the laser: seen from its left.
 struct Wall {
-  Line line;  ///< through its middle
-  WallEnd first;
-  WallEnd last;
+  Line line;                        ///< through its middle
+  WallEnd first;                    ///< where the first beam that supports it meets its line
+  WallEnd last;                     ///< where the last beam that supports it meets its line
   Eigen::Matrix2d line_covariance;  ///< at its middle: perpendicular offset [m], angle [rad]
-  std::size_t first_beam = 0;       ///< the first beam that supports it
+  std::size_t first_beam = 0;       ///< the first beam that supports it, index into Beams
   std::size_t last_beam = 0;        ///< the last beam that supports it, >= first_beam
   int support = 0;                  ///< beams that support it
+};
+
+/// What became of a run.
+enum class Verdict {
+  wall,
+  too_few_beams,  ///< that support a line: WallParameters::min_beams
+  too_scattered,  ///< too small a share of them supports it: min_support_share
+  too_short,      ///< min_length
+  too_uncertain,  ///< its direction: max_angle_sigma
 };
 
 /// Variance of a wall's line across itself at a place on it [m^2].
 double variance_across(const Wall& wall, const Vector2& place);
 
-/// Fits the run's wall; none where too few beams support it, or too small a share of those
-/// between its ends, where it is too short, or its direction too uncertain.
-std::optional<Wall> fit_wall(const Run& run, const Beams& beams, const ScanParameters& parameters);
+/// Fits the run's wall into `wall`, which is only meant where the verdict is `wall`.
+Verdict fit_wall(const Run& run, const Sweep& sweep, const ScanParameters& parameters, Wall& wall);
 
 }  // namespace perceptor::scan

@@ -8,7 +8,7 @@
 
 #include "common/geometry/angle.hpp"
 #include "components/merge/merger.hpp"
-#include "components/scan/scan.hpp"
+#include "components/scan/current_map.hpp"
 #include "tests/support/scene.hpp"
 
 namespace perceptor::merge {
@@ -64,6 +64,7 @@ std::string text(const Segment& s) {
 TEST(SimulatedDrive, RoomHasItsWallsOnceAndThePoseStaysTrue) {
   const test::Scene scene = room_with_doorway();
   Merger merger({});
+  scan::WallExtractor extractor({});
   Position odometry = tour(0.0);
   LocalMap local;
   double worst_distance = 0.0;
@@ -78,7 +79,7 @@ TEST(SimulatedDrive, RoomHasItsWallsOnceAndThePoseStaysTrue) {
     }
     const LaserScan scan =
         test::sweep(scene, test::pico_laser(0.01, static_cast<std::uint64_t>(i)), truth);
-    const Map walls = scan::extract_walls(scan, {}, {}, {}).map;
+    const Map walls = scan::current_map(extractor.extract(scan), {});
     local = merger.update({100'000LL * (i + 1), odometry, {}, walls});
     rejected += local.rejected ? 1 : 0;
     const Position& pose = local.robot_in_local.pose;

@@ -84,11 +84,12 @@ TEST(Covariance, OfLinesAndCornersIsHonest) {
   ScanParameters parameters;
   parameters.noise.surface_roughness = 0.0;  // the walls of this scene are smooth
   parameters.noise.sigma_growth = 0.0;
+  WallExtractor extractor(parameters);
   double line = 0.0;
   double corner = 0.0;
   for (int seed = 1; seed <= kScans; ++seed) {
     const LaserScan scan = sweep(scene, pico_laser(0.01, static_cast<std::uint64_t>(seed)));
-    const Map map = extract_walls(scan, {}, {}, parameters).map;
+    const Map map = current_map(extractor.extract(scan), parameters.corner);
     ASSERT_EQ(map.objects.size(), 2U);
     const Segment wall = segment(map, 0);
     const Vector2 middle_of_wall = middle(wall);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "components/scan/scan.hpp"
+#include "components/scan/current_map.hpp"
 #include "tests/support/scene.hpp"
 
 namespace perceptor::test {
@@ -14,7 +14,9 @@ namespace perceptor::test {
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline Map map_of(const LaserScan& scan, const Twist& twist = {}) {
-  return scan::extract_walls(scan, twist, {}, scan::ScanParameters{}).map;
+  const scan::ScanParameters parameters;
+  scan::WallExtractor extractor(parameters);
+  return scan::current_map(extractor.extract(scan, twist), parameters.corner);
 }
 
 inline std::vector<Segment> walls_of(const Map& map) {

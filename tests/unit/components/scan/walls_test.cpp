@@ -142,11 +142,12 @@ TEST(Walls, BeamsOnTheRobotItselfAreLeftOut) {
   const Scene scene = {{{0.3, -0.3}, {0.3, 0.3}}, {{2, -2}, {2, 2}}};
   const std::vector<Vector2> footprint = {{0.4, -0.4}, {0.4, 0.4}, {-0.4, 0.4}, {-0.4, -0.4}};
   const LaserScan scan = sweep(scene, pico_laser());
-  const CurrentMap current = extract_walls(scan, {}, footprint, {});
+  WallExtractor extractor({}, footprint);
+  const Extraction& found = extractor.extract(scan);
   // 45 degrees to both sides end on the robot.
-  EXPECT_NEAR(static_cast<double>(current.in_footprint), 1000.0 * (90 * kDegree) / 4.0, 2.0);
-  EXPECT_EQ(current.no_return, scan.size() - count_returns(scan));
-  for (const Segment& wall : walls_of(current.map)) EXPECT_GT(wall.a.x(), 1.0);
+  EXPECT_NEAR(static_cast<double>(found.in_footprint), 1000.0 * (90 * kDegree) / 4.0, 2.0);
+  EXPECT_EQ(found.no_return, scan.size() - count_returns(scan));
+  for (const Wall& wall : found.walls) EXPECT_GT(wall.first.location.x(), 1.0);
 }
 
 TEST(Walls, LaserThatIsMountedTurnedAndMovedSeesTheSame) {
@@ -174,26 +175,27 @@ TEST(Walls, TurningRobotSeesThemAsStraightAsAStandingOne) {
 }
 
 TEST(Scan, WithoutAnyBeamGivesAnEmptyMap) {
-  const CurrentMap current = extract_walls({}, {}, {}, {});
-  EXPECT_TRUE(current.map.objects.empty());
-  EXPECT_TRUE(current.map.points.empty());
+  const Map map = map_of({});
+  EXPECT_TRUE(map.objects.empty());
+  EXPECT_TRUE(map.points.empty());
 }
 
 TEST(Scan, OfFewBeamsGivesAnEmptyMap) {
   for (std::size_t beams = 1; beams <= 5; ++beams) {
     SceneLaser laser;
     laser.bearings = beams == 1 ? std::vector<double>{0.0} : fan(beams, -0.1, 0.1);
-    const CurrentMap current =
-        extract_walls(sweep({{{2, -1}, {2, 1}}}, laser), {}, {}, ScanParameters{});
-    EXPECT_TRUE(current.map.objects.empty()) << beams << " beams";
-    EXPECT_EQ(current.no_return, 0U);
+    WallExtractor extractor({});
+    const Extraction& found = extractor.extract(sweep({{{2, -1}, {2, 1}}}, laser));
+    EXPECT_TRUE(found.walls.empty()) << beams << " beams";
+    EXPECT_EQ(found.no_return, 0U);
   }
 }
 
 TEST(Scan, WithoutReturnsGivesAnEmptyMap) {
-  const CurrentMap current = extract_walls(sweep({}, pico_laser()), {}, {}, {});
-  EXPECT_TRUE(current.map.objects.empty());
-  EXPECT_EQ(current.no_return, 1000U);
+  WallExtractor extractor({});
+  const Extraction& found = extractor.extract(sweep({}, pico_laser()));
+  EXPECT_TRUE(found.walls.empty());
+  EXPECT_EQ(found.no_return, 1000U);
 }
 
 TEST(Scan, OfTenThousandBeamsShowsTheRoom) {

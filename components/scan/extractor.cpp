@@ -1,0 +1,74 @@
+#include "components/scan/extractor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace perceptor::scan {
+
+WallExtractor::WallExtractor(const ScanParameters& parameters, std::vector<Vector2> footprint)
+    : parameters_(parameters), reader_(parameters.noise, parameters.gap, std::move(footprint)) {}
+
+const Extraction& WallExtractor::extract(const LaserScan& scan, const Twist& twist) {
+  Beams& beams = sweep_.beams;
+  reader_.read(scan, twist, beams);
+  gaps_.find(beams);
+  if (beams.is_circle) repeat(beams);
+  sweep_.sums.sum(beams);
+  find_stretches();
+
+  runs_.clear();
+  method_of(parameters_.method)(sweep_, parameters_, workspace_, runs_);
+  fit_walls();
+  find_corners(results_, found_.walls, beams, parameters_, found_.corners);
+  sort_by_bearing(scan);
+  found_.no_return = beams.no_return;
+  found_.in_footprint = beams.in_footprint;
+  return found_;
+}
+
+void WallExtractor::find_stretches() {
+  sweep_.stretches.clear();
+  std::size_t begin = 0;
+  for (const std::size_t gap : gaps_.gaps()) {
+    sweep_.stretches.push_back(make_run(sweep_.sums, begin, gap));
+    begin = gap;
+  }
+  if (begin < sweep_.beams.count)
+    sweep_.stretches.push_back(make_run(sweep_.sums, begin, sweep_.beams.count));
+}
+
+void WallExtractor::fit_walls() {
+  results_.clear();
+  found_.walls.clear();
+  Wall wall;
+  for (const Run& run : runs_) {
+    RunResult result{.run = run, .verdict = fit_wall(run, sweep_, parameters_, wall)};
+    if (result.verdict == Verdict::wall) {
+      result.wall = found_.walls.size();
+      found_.walls.push_back(wall);
+    }
+    results_.push_back(result);
+  }
+}
+
+/// They are in order already, but in a circle begin anywhere.
+void WallExtractor::sort_by_bearing(const LaserScan& scan) {
+  std::vector<Wall>& walls = found_.walls;
+  const auto bearing = [&](const Wall& wall) {
+    return scan.bearings[sweep_.beams.beam[wall.first_beam]];
+  };
+  const auto smallest = std::ranges::min_element(walls, {}, bearing);
+  const auto ahead = static_cast<std::size_t>(smallest - walls.begin());
+  if (ahead == 0) return;
+  std::ranges::rotate(walls, smallest);
+  const auto renumber = [&](std::size_t& wall) {
+    if (wall != kNoWall) wall = (wall + walls.size() - ahead) % walls.size();
+  };
+  for (RunResult& result : results_) renumber(result.wall);
+  for (Corner& corner : found_.corners) {
+    renumber(corner.before);
+    renumber(corner.after);
+  }
+}
+
+}  // namespace perceptor::scan
