@@ -1,10 +1,11 @@
-/// @file pico-eval: scores a recorded log.
+/// @file pico-eval: scores a recorded log; makes scans with truth.
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
 
 #include "common/log/event_log.hpp"
 #include "tools/cli.hpp"
+#include "tools/eval/rooms_command.hpp"
 #include "tools/eval/run_summary.hpp"
 #include "tools/progress.hpp"
 
@@ -80,6 +81,11 @@ int main(int argc, char** argv) {
   CLI::App* run = app.add_subcommand(
       "run", "messages by channel, latency, and what was found against the simulator's truth");
   run->add_option("LOG", log, "an LCM event log")->required();
+  perceptor::RoomsCommand rooms_command;
+  const CLI::App* rooms = perceptor::add_rooms_command(app, rooms_command);
   app.footer("Example:\n  pico-eval run build/run/last.lcmlog");
-  return perceptor::run_tool(app, argc, argv, [&] { return perceptor::print_summary(log); });
+  return perceptor::run_tool(app, argc, argv, [&] {
+    if (rooms->parsed()) return perceptor::run_rooms_command(rooms_command);
+    return perceptor::print_summary(log);
+  });
 }
