@@ -32,8 +32,13 @@ std::optional<double> range_to(const Segment& wall, const Vector2& ray) {
   return range;
 }
 
-bool have_to_be_found(const TruePiece& a, const TruePiece& b) {
-  return a.has_to_be_found && b.has_to_be_found;
+/// Whether the corner at the end of the first piece's wall is seen from both sides.
+bool meet(const std::vector<PlanWall>& walls, const TruePiece& piece, const TruePiece& following,
+          const TruthLimits& limits) {
+  const bool are_neighbours = walls[static_cast<std::size_t>(piece.edge)].next == following.edge;
+  const bool follow_each_other = piece.last_beam + 1 == following.first_beam;
+  const std::size_t fewer_returns = std::min(piece.returns, following.returns);
+  return are_neighbours && follow_each_other && fewer_returns >= limits.min_corner_returns;
 }
 
 }  // namespace
@@ -119,18 +124,16 @@ std::vector<TruePiece> true_pieces(const std::vector<std::optional<BeamTarget>>&
 
 std::vector<TrueCorner> true_corners(const std::vector<PlanWall>& walls,
                                      const std::vector<TruePiece>& pieces,
-                                     const Position& laser_in_world) {
+                                     const Position& laser_in_world, const TruthLimits& limits) {
   const Position world_in_laser = inverse(laser_in_world);
   std::vector<TrueCorner> corners;
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const TruePiece& piece = pieces[i];
-    const TruePiece& following = pieces[i + 1];
-    const PlanWall& wall = walls[static_cast<std::size_t>(piece.edge)];
-    const bool meet = wall.next == following.edge && piece.last_beam + 1 == following.first_beam;
-    if (!meet) continue;
-    corners.push_back({.location = transform(world_in_laser, wall.segment.b),
-                       .is_convex = wall.ends_in_convex,
-                       .has_to_be_found = have_to_be_found(piece, following)});
+    if (!meet(walls, pieces[i], pieces[i + 1], limits)) continue;
+    const PlanWall& wall = walls[static_cast<std::size_t>(pieces[i].edge)];
+    corners.push_back(
+        {.location = transform(world_in_laser, wall.segment.b),
+         .is_convex = wall.ends_in_convex,
+         .has_to_be_found = pieces[i].has_to_be_found && pieces[i + 1].has_to_be_found});
   }
   return corners;
 }

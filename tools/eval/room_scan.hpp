@@ -23,10 +23,11 @@ struct RoomLaser {
   double dropouts = 0.0;  ///< share of all beams without a return
 };
 
-/// Which truth has to be found; the rest counts neither way.
+/// Which truth has to be found, the rest counting neither way, and what is truth at all.
 struct TruthLimits {
-  std::size_t min_returns = 10;
-  double min_length = 0.30;  ///< [m]
+  std::size_t min_returns = 10;        ///< of a piece that has to be found
+  double min_length = 0.30;            ///< [m] of a piece that has to be found
+  std::size_t min_corner_returns = 3;  ///< of each piece at a corner; with less, none is told
 };
 
 /// Where a beam truly ends.
@@ -66,7 +67,8 @@ std::vector<TruePiece> true_pieces(const std::vector<std::optional<BeamTarget>>&
 /// first follow each other. One has to be found where both its pieces have to. Laser frame.
 std::vector<TrueCorner> true_corners(const std::vector<PlanWall>& walls,
                                      const std::vector<TruePiece>& pieces,
-                                     const Position& laser_in_world);
+                                     const Position& laser_in_world,
+                                     const TruthLimits& limits = {});
 
 /// All of these. The odometry is the true pose, and `doors` is empty. The scan claims a
 /// range_sigma of 1 mm at least, since it is divided by.
