@@ -31,12 +31,14 @@ bool is_corner(const Segment& wall, const Segment& next, const PlanLimits& limit
   return turned >= limits.min_turn && turned <= std::numbers::pi - limits.sharpest_corner;
 }
 
-bool keep_apart(const std::vector<PlanWall>& walls, double min_gap) {
+bool keep_apart(const std::vector<PlanWall>& walls, const PlanLimits& limits) {
   for (std::size_t i = 0; i < walls.size(); ++i)
     for (std::size_t j = i + 1; j < walls.size(); ++j) {
       const bool are_neighbours =
           walls[i].next == static_cast<int>(j) || walls[j].next == static_cast<int>(i);
-      if (!are_neighbours && gap(walls[i].segment, walls[j].segment) < min_gap) return false;
+      const double smallest_gap =
+          walls[i].outline == walls[j].outline ? limits.min_gap : limits.min_passage;
+      if (!are_neighbours && gap(walls[i].segment, walls[j].segment) < smallest_gap) return false;
     }
   return true;
 }
@@ -56,7 +58,8 @@ bool obstacles_stand_free(const FloorPlan& plan) {
 
 std::vector<PlanWall> walls(const FloorPlan& plan) {
   std::vector<PlanWall> walls;
-  for (const Outline& outline : plan.outlines) {
+  for (std::size_t number = 0; number < plan.outlines.size(); ++number) {
+    const Outline& outline = plan.outlines[number];
     const std::size_t first = walls.size();
     const std::size_t sides = outline.size();
     const auto side = [&](std::size_t i) {
@@ -65,7 +68,8 @@ std::vector<PlanWall> walls(const FloorPlan& plan) {
     for (std::size_t i = 0; i < sides; ++i)
       walls.push_back({.segment = side(i),
                        .next = static_cast<int>(first + (i + 1) % sides),
-                       .ends_in_convex = turn(side(i), side(i + 1)) < 0.0});
+                       .ends_in_convex = turn(side(i), side(i + 1)) < 0.0,
+                       .outline = number});
   }
   return walls;
 }
@@ -98,7 +102,7 @@ bool is_sound(const FloorPlan& plan, const PlanLimits& limits) {
     const Segment& next = all[static_cast<std::size_t>(wall.next)].segment;
     return length(wall.segment) >= limits.min_side && is_corner(wall.segment, next, limits);
   });
-  return has_good_corners && keep_apart(all, limits.min_gap) && obstacles_stand_free(plan);
+  return has_good_corners && keep_apart(all, limits) && obstacles_stand_free(plan);
 }
 
 }  // namespace perceptor

@@ -1,6 +1,7 @@
 /// @file A floor plan of closed outlines, and what can be asked of it.
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct PlanWall {
   Segment segment;              ///< [m] world; free space on the left of a to b
   int next = 0;                 ///< index of the wall that begins where this one ends
   bool ends_in_convex = false;  ///< the corner at b sticks out into free space
+  std::size_t outline = 0;      ///< index of the one that it is a side of
 };
 
 /// Of all outlines, in their order: a wall's index is the number of its edge in the truth.
@@ -38,7 +40,8 @@ double clearance(const std::vector<PlanWall>& walls, const Vector2& point);
 
 /// What a floor plan keeps to, so that the truth about it is never a matter of opinion.
 struct PlanLimits {
-  double min_gap = 0.045;        ///< [m] between walls that are no neighbours
+  double min_gap = 0.045;        ///< [m] between walls of one outline that are no neighbours
+  double min_passage = 0.15;     ///< [m] between walls of different outlines
   double min_side = 0.045;       ///< [m] of a wall: the thinnest partition ends in one
   double min_turn = 0.26;        ///< [rad] from a wall to the next: less is hardly a corner
   double sharpest_corner = 0.5;  ///< [rad] between a wall and the next

@@ -16,7 +16,7 @@ namespace perceptor {
 /// that were there stay as they are.
 struct RoomScanParameters {
   std::size_t scans = 120;
-  RoomLaser laser;
+  RoomLaser laser{};
   double min_clearance = 0.3;  ///< [m] of the laser from the walls
   std::uint64_t seed = 1;
   std::vector<RoomKind> kinds{kAllRoomKinds.begin(), kAllRoomKinds.end()};  ///< in turn
