@@ -18,7 +18,7 @@ CLI::App* add_rooms_command(CLI::App& app, RoomsCommand& command) {
         return name.ends_with(".scan") ? std::string() : "the name has to end in .scan";
       });
   rooms->add_option("--scans", command.parameters.scans, "how many, each in a room of its own")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   rooms->add_option("--beams", laser.beams, "of one scan")
       ->check(CLI::Range(2, 100'000))
@@ -36,6 +36,7 @@ CLI::App* add_rooms_command(CLI::App& app, RoomsCommand& command) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   rooms->add_option("--seed", command.parameters.seed, "the same seed, the same bytes")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   return rooms;
 }
