@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "common/geometry/polygon.hpp"
 #include "common/model/sweeping_laser.hpp"
 
@@ -120,9 +122,11 @@ void BeamReader::keep_returns(const LaserScan& scan, Beams& beams) const {
   const double nearest = std::max(scan.valid_min, std::numeric_limits<double>::min());
   const double farthest = std::min(scan.valid_max, std::numeric_limits<double>::max());
   const double own_reach = reach_of(footprint_, scan.laser_in_robot.location());
-  const auto is_plain = [&](double range) {
-    return static_cast<int>(range >= std::max(nearest, own_reach)) &
-           static_cast<int>(range <= farthest);
+  // Whether a block returned from beyond the robot: comparisons alone would not see a NaN.
+  const auto is_plain = [&](std::size_t i) {
+    const Eigen::Map<const Eigen::Array<double, kBlock, 1>> block(beams.range.data() + i);
+    return block.minCoeff() >= std::max(nearest, own_reach) && block.maxCoeff() <= farthest &&
+           !std::isnan(block.sum());
   };
   const auto is_usable = [&](std::size_t i) {
     const double range = beams.range[i];
@@ -138,12 +142,7 @@ void BeamReader::keep_returns(const LaserScan& scan, Beams& beams) const {
   for (std::size_t i = 0; i < size; ++i) {
     if (!is_usable(i)) continue;
     const std::size_t begin = i++;
-    // Mostly whole blocks of beams returned from elsewhere: one look at several.
-    for (bool go_on = true; go_on && i + kBlock <= size; i += go_on ? kBlock : 0) {
-      int plain = 0;
-      for (std::size_t k = 0; k < kBlock; ++k) plain += is_plain(beams.range[i + k]);
-      go_on = plain == kBlock;
-    }
+    while (i + kBlock <= size && is_plain(i)) i += kBlock;
     while (i < size && is_usable(i)) ++i;
     for_each_array(beams, [&](auto& array) { shift(array, begin, i, beams.count); });
     beams.count += i - begin;

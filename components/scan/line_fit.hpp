@@ -7,6 +7,7 @@
 /// every run of beams.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -118,12 +119,12 @@ struct Misfit {
 inline Misfit misfit(const Moments& m, double roughness) {
   const PolarLine line = polar_line(m);
   const double inverse_squared_distance = line.a * line.a + line.b * line.b;
-  const double of_range = m.w - line.a * m.x - line.b * m.y;
-  const double noise = m.beams / m.w;  // mean squared angle [rad^2] that the range noise subtends
-  const double rough = roughness * roughness * inverse_squared_distance;
   if (inverse_squared_distance == 0.0) return {};
-  const double chi_square = of_range > 0.0 ? of_range * noise / (noise + rough) : 0.0;
-  return {.chi_square = chi_square, .variance = (noise + rough) / inverse_squared_distance};
+  const double of_range = std::max(0.0, m.w - line.a * m.x - line.b * m.y);
+  // Both variances across the line, that of the range and the surface's, times w / distance^2.
+  const double both = m.beams + roughness * roughness * inverse_squared_distance * m.w;
+  return {.chi_square = of_range * m.beams / both,
+          .variance = both / (m.w * inverse_squared_distance)};
 }
 
 /// Directed counter-clockwise as seen from the laser.

@@ -55,10 +55,13 @@ class Splitter {
 
   std::optional<std::size_t> find() const {
     if (end_ - begin_ < 2 * kFewestBeams) return std::nullopt;
+    // What one line leaves over what noise does is all that two lines can gain.
+    const double left_over = chi_square_of_one_line() - static_cast<double>(end_ - begin_);
+    if (left_over < 0.0) return std::nullopt;
     const std::size_t at_chord =
         std::clamp(farthest_from_chord(sweep_.beams, begin_, end_), first_, last_);
     if (gain(at_chord) > 0.0) return at_chord;
-    if (one_line_suffices()) return std::nullopt;
+    if (left_over < parameters_.wall.merge_chi2) return std::nullopt;
     const std::size_t best = refined(best_of_trials());
     if (gain(best) > 0.0) return best;
     return std::nullopt;
@@ -69,10 +72,8 @@ class Splitter {
     return gain_of_cut(sweep_.sums.of(begin_, cut), sweep_.sums.of(cut, end_), parameters_);
   }
 
-  /// Chi-square of one line so small that two cannot be better by much.
-  bool one_line_suffices() const {
-    const Misfit one = misfit(sweep_.sums.of(begin_, end_), parameters_.noise.surface_roughness);
-    return one.chi_square < static_cast<double>(end_ - begin_);
+  double chi_square_of_one_line() const {
+    return misfit(sweep_.sums.of(begin_, end_), parameters_.noise.surface_roughness).chi_square;
   }
 
   std::size_t best_of_trials() const {
