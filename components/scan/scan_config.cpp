@@ -4,6 +4,12 @@ namespace perceptor {
 
 namespace scan {
 
+const std::vector<std::pair<std::string, ScanMethod>>& method_names() {
+  static const std::vector<std::pair<std::string, ScanMethod>> names = {
+      {"angle_clustering", ScanMethod::angle_clustering}};
+  return names;
+}
+
 void describe(config::Fields& fields, NoiseParameters& p) {
   fields.number("sigma_growth", p.sigma_growth, {0.0, 0.1},
                 "[m/m] added to the sensor's sigma for each metre of range");
@@ -63,10 +69,7 @@ void describe(config::Fields& fields, CornerParameters& p) {
 }
 
 void describe(config::Fields& fields, ScanParameters& p) {
-  fields.choice("method", p.method,
-                {{"split_and_merge", ScanMethod::split_and_merge},
-                 {"angle_clustering", ScanMethod::angle_clustering}},
-                "how beams are cut at corners");
+  fields.choice("method", p.method, method_names(), "how beams are cut at corners");
   fields.group("noise", p.noise, "how far a beam may lie from where the wall is");
   fields.group("gap", p.gap, "where the wall cannot go on from one beam to the next");
   fields.group("cluster", p.cluster, "how corners are first found");

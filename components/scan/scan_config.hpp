@@ -1,6 +1,10 @@
 /// @file The keys of scan.json.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "common/config/fields.hpp"
 #include "common/config/robot.hpp"
 #include "common/time/position_history.hpp"
@@ -15,6 +19,9 @@ struct ScanConfig {
 };
 
 namespace scan {
+/// Every method, and how configuration and command lines call it.
+const std::vector<std::pair<std::string, ScanMethod>>& method_names();
+
 void describe(config::Fields& fields, NoiseParameters& p);
 void describe(config::Fields& fields, GapParameters& p);
 void describe(config::Fields& fields, ClusterParameters& p);
