@@ -10,16 +10,10 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
 #include "common/time/position_history.hpp"
+#include "tools/eval/quantile.hpp"
 
 namespace perceptor {
 namespace {
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
 
 Spread spread(const std::vector<double>& values) {
   return {quantile(values, 0.50), quantile(values, 0.99)};
