@@ -6,6 +6,7 @@ namespace scan {
 
 const std::vector<std::pair<std::string, ScanMethod>>& method_names() {
   static const std::vector<std::pair<std::string, ScanMethod>> names = {
+      {"split_and_merge", ScanMethod::split_and_merge},
       {"angle_clustering", ScanMethod::angle_clustering}};
   return names;
 }
