@@ -1,0 +1,24 @@
+/// @file The subcommands of pico-eval.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace perceptor {
+
+struct Command {
+  CLI::App* app;             ///< parsed where the command line names it
+  std::function<int()> run;  ///< gives the exit code; throws what run_tool tells
+};
+
+/// Scores a recorded log.
+Command add_run_command(CLI::App& app);
+
+/// Scores the extraction of walls from single scans.
+Command add_scan_command(CLI::App& app);
+
+/// Makes a set of scans in random rooms.
+Command add_rooms_command(CLI::App& app);
+
+}  // namespace perceptor

@@ -1,0 +1,28 @@
+/// @file The extractor of the scan component, as the evaluation runs it: the only place that
+/// knows its interface.
+#pragma once
+
+#include "common/model/laser_scan.hpp"
+#include "components/scan/extractor.hpp"
+#include "tools/eval/found_walls.hpp"
+
+namespace perceptor {
+
+class WallFinder {
+ public:
+  explicit WallFinder(const scan::ScanParameters& parameters) : extractor_(parameters) {}
+
+  /// From ranges to walls and corners, of a laser that stands still on no robot. This is what is
+  /// timed.
+  void run(const LaserScan& scan);
+
+  /// What the last run found; there has been one. Only corners where two walls meet: the truth's corners are those
+  /// of which both sides are seen.
+  FoundWalls found() const;
+
+ private:
+  scan::WallExtractor extractor_;
+  const scan::Extraction* latest_ = nullptr;  // of the extractor
+};
+
+}  // namespace perceptor
