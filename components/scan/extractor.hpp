@@ -35,7 +35,8 @@ class WallExtractor {
   /// found depends on this scan alone, and is valid until the next call.
   const Extraction& extract(const LaserScan& scan, const Twist& twist = {});
 
-  // How it came to that, until the next call.
+  // What was found last, and how it came to that.
+  const Extraction& found() const { return found_; }
   const ScanParameters& parameters() const { return parameters_; }
   const Sweep& sweep() const { return sweep_; }
   const std::vector<RunResult>& runs() const { return results_; }

@@ -2,16 +2,15 @@
 
 namespace perceptor {
 
-void WallFinder::run(const LaserScan& scan) { latest_ = &extractor_.extract(scan); }
+void WallFinder::run(const LaserScan& scan) { extractor_.extract(scan); }
 
 FoundWalls WallFinder::found() const {
   FoundWalls found;
-  for (const scan::Wall& wall : latest_->walls)
+  for (const scan::Wall& wall : extractor_.found().walls)
     found.walls.push_back({wall.first.location, wall.last.location});
-  for (const scan::Corner& corner : latest_->corners)
+  for (const scan::Corner& corner : extractor_.found().corners)
     if (corner.method == CornerMethod::intersection)
-      found.corners.push_back(
-          {corner.place.location, corner.property == PointProperty::convex});
+      found.corners.push_back({corner.place.location, corner.property == PointProperty::convex});
   return found;
 }
 

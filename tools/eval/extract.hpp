@@ -16,13 +16,12 @@ class WallFinder {
   /// timed.
   void run(const LaserScan& scan);
 
-  /// What the last run found; there has been one. Only corners where two walls meet: the truth's corners are those
+  /// What the last run found. Only corners where two walls meet: the truth's corners are those
   /// of which both sides are seen.
   FoundWalls found() const;
 
  private:
   scan::WallExtractor extractor_;
-  const scan::Extraction* latest_ = nullptr;  // of the extractor
 };
 
 }  // namespace perceptor

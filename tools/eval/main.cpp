@@ -5,7 +5,8 @@
 #include "tools/eval/command.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app{"Scores a recorded log, or walls extracted from single scans; makes such scans.", "pico-eval"};
+  CLI::App app{"Scores a recorded log, or walls extracted from single scans; makes such scans.",
+               "pico-eval"};
   app.require_subcommand(1);
   const std::array commands = {perceptor::add_run_command(app), perceptor::add_scan_command(app),
                                perceptor::add_rooms_command(app)};
