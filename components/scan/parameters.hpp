@@ -33,7 +33,7 @@ struct ClusterParameters {
 
 /// What makes a wall.
 struct WallParameters {
-  double merge_chi2 = 18.0;     ///< [-] rise of chi-square at which two lines are better than one
+  double merge_chi2 = 12.0;     ///< [-] rise of chi-square at which two lines are better than one
   double bend = 0.008;          ///< [m] rms by which a long wall and the laser may be crooked; more
                                 ///< keeps such walls whole, less sees flatter corners
   double max_excess = 4.0;      ///< [-] variance of a bumpy wall's beams over what the noise says;

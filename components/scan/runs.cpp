@@ -44,6 +44,7 @@ bool adjoin(const Beams& beams, const Run& first, const Run& second) {
 
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
   const std::size_t last = first.end - 1;
+  if (follow_directly(beams, last, second.begin)) return true;
   if (second.begin - first.end > kMostStrays) return false;
   const Vector2 hole = beams.end(second.begin) - beams.end(last);
   return hole.squaredNorm() <= beams.max_hole * beams.max_hole ||

@@ -46,7 +46,8 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
 /// Whether the second run begins where the first ends, a few strays apart, without a gap.
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
-/// Whether what lies between two runs is small enough to be part of one wall: strays, or a hole.
+/// Whether what lies between two runs may be part of one wall: nothing that a beam could have
+/// passed through, however far apart a grazed wall sets its beams; or a few strays, or a hole.
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second);
 
 /// Both runs and what lies between them; that does not count.

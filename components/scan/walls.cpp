@@ -15,7 +15,19 @@ struct Support {
   std::size_t last = 0;
   int count = 0;
   Moments moments;
+  Vector2 sum{0.0, 0.0};  ///< [m] of where they end, from the laser
 };
+
+/// The best line through the beams. The weight of a beam grows with its range as measured, so
+/// that beams which err outwards count for more: to first order the normal equations are off by
+/// three times the sum of the beams, whatever the noise, and that is put back.
+PolarLine unbiased_line(const Support& support) {
+  constexpr double kBias = 3.0;
+  Moments moments = support.moments;
+  moments.x += kBias * support.sum.x();
+  moments.y += kBias * support.sum.y();
+  return polar_line(moments);
+}
 
 /// By how much the beams scatter more than the noise says: not straight, or not so precise.
 double excess_of(const Moments& moments, const ScanParameters& parameters) {
@@ -24,17 +36,17 @@ double excess_of(const Moments& moments, const ScanParameters& parameters) {
   return std::clamp(chi_square / degrees_of_freedom, 1.0, parameters.wall.max_excess);
 }
 
+Eigen::Map<const Eigen::ArrayXd> of_run(const Run& run, const std::vector<double>& array) {
+  return {array.data() + run.begin, static_cast<Eigen::Index>(run.size())};
+}
+
 /// Whether no beam of the run is further from the line than the limits allow: several beams at a
 /// time, since mostly it is so.
 bool all_support(const Run& run, const Beams& beams, const PolarLine& line, double limit,
                  double rough) {
-  const auto of_run = [&run](const std::vector<double>& array) {
-    return Eigen::Map<const Eigen::ArrayXd>(array.data() + run.begin,
-                                            static_cast<Eigen::Index>(run.size()));
-  };
-  const auto x = of_run(beams.x);
-  const auto y = of_run(beams.y);
-  const auto weight = of_run(beams.weight);
+  const auto x = of_run(run, beams.x);
+  const auto y = of_run(run, beams.y);
+  const auto weight = of_run(run, beams.weight);
   const auto off = line.a * x + line.b * y - 1.0;
   return ((off.square() - rough) * weight).maxCoeff() <= limit;
 }
@@ -48,16 +60,18 @@ Support find_support(const Run& run, const Sweep& sweep, const PolarLine& line, 
   const double limit = sigmas * sigmas * excess;
   const double roughness = parameters.noise.surface_roughness;
   const double rough = limit * roughness * roughness * (line.a * line.a + line.b * line.b);
-  if (all_support(run, beams, line, limit, rough))
-    return {.first = run.begin,
-            .last = run.end - 1,
-            .count = static_cast<int>(run.size()),
-            .moments = sweep.sums.of(run.begin, run.end)};
-  Support support{.first = run.end, .moments = sweep.sums.of(run.begin, run.end)};
+  Support support{.first = run.begin,
+                  .last = run.end - 1,
+                  .count = static_cast<int>(run.size()),
+                  .moments = sweep.sums.of(run.begin, run.end),
+                  .sum = {of_run(run, beams.x).sum(), of_run(run, beams.y).sum()}};
+  if (all_support(run, beams, line, limit, rough)) return support;
+  support.count = 0;
   for (std::size_t i = run.begin; i < run.end; ++i) {
     const double off = line.a * beams.x[i] + line.b * beams.y[i] - 1.0;
     if ((off * off - rough) * beams.weight[i] > limit) {
       support.moments = support.moments - moments_of(beams, i);
+      support.sum -= beams.end(i);
       continue;
     }
     if (support.count++ == 0) support.first = i;
@@ -121,10 +135,11 @@ Verdict fit_wall(const Run& run, const Sweep& sweep, const ScanParameters& param
     if (support.count < parameters.wall.min_beams) return Verdict::too_few_beams;
     if (support.count < parameters.wall.min_support_share * between) return Verdict::too_scattered;
     if (support.count == before) break;
-    line = polar_line(support.moments);
+    line = unbiased_line(support);
     excess = excess_of(support.moments, parameters);
   }
 
+  line = unbiased_line(support);
   wall.line = make_line(line, beams.laser);
   const Vector2 direction = wall.line.direction;
   const auto along = [&](std::size_t i) { return direction.dot(beams.end(i)); };
