@@ -25,6 +25,7 @@ struct Wall {
   std::size_t first_beam = 0;       ///< the first beam that supports it, index into Beams
   std::size_t last_beam = 0;        ///< the last beam that supports it, >= first_beam
   int support = 0;                  ///< beams that support it
+  double excess = 1.0;  ///< [-] their variance about the line over what the noise says, at least 1
 };
 
 /// What became of a run.
@@ -39,7 +40,21 @@ enum class Verdict {
 /// Variance of a wall's line across itself at a place on it [m^2].
 double variance_across(const Wall& wall, const Vector2& place);
 
-/// Fits the run's wall into `wall`, which is only meant where the verdict is `wall`.
+/// Standard deviation of its direction [rad].
+double angle_sigma(const Wall& wall);
+
+/// Between its ends [m].
+double length(const Wall& wall);
+
+/// Share of the beams between its first and its last that support it [-].
+double support_share(const Wall& wall);
+
+/// Whether a beam is no further from the wall's line than `support_sigmas`.
+bool supports(const Beams& beams, std::size_t i, const Wall& wall,
+              const ScanParameters& parameters);
+
+/// Fits the run's wall into `wall`. Where the verdict is another than `wall`, what was found up
+/// to there is filled in.
 Verdict fit_wall(const Run& run, const Sweep& sweep, const ScanParameters& parameters, Wall& wall);
 
 }  // namespace perceptor::scan
