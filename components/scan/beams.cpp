@@ -32,12 +32,25 @@ void for_each_array(Beams& beams, Do act) {
   act(beams.beam);
 }
 
-/// The farthest end in view lies at a corner, whatever the room: the one place to begin at
-/// that does not depend on where the sweep began.
-void begin_at_farthest(Beams& beams) {
-  const auto farthest = std::ranges::max_element(beams.range) - beams.range.begin();
-  for_each_array(beams, [&](auto& array) { std::ranges::rotate(array, array.begin() + farthest); });
-  for (auto bearing = beams.bearing.end() - farthest; bearing != beams.bearing.end(); ++bearing)
+/// A circle has to begin somewhere: where neighbouring beams end farthest apart. That does not
+/// depend on where the sweep began, nor on which way it went, and is a gap if there is one.
+std::size_t best_seam(const Beams& beams) {
+  std::size_t seam = 0;
+  double farthest = -1.0;
+  for (std::size_t i = 0; i < beams.count; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : beams.count - 1;
+    const double apart = (beams.end(i) - beams.end(before)).squaredNorm();
+    if (apart <= farthest) continue;
+    farthest = apart;
+    seam = i;
+  }
+  return seam;
+}
+
+void begin_at(Beams& beams, std::size_t first) {
+  const auto ahead = static_cast<std::ptrdiff_t>(first);
+  for_each_array(beams, [&](auto& array) { std::ranges::rotate(array, array.begin() + ahead); });
+  for (auto bearing = beams.bearing.end() - ahead; bearing != beams.bearing.end(); ++bearing)
     *bearing += 2.0 * std::numbers::pi;
 }
 
@@ -162,7 +175,7 @@ void BeamReader::read(const LaserScan& scan, const Twist& twist, Beams& beams) {
   put_in_order(scan, beams);
   keep_returns(scan, beams);
   beams.is_circle = directions_.is_circle() && beams.count > 2;
-  if (beams.is_circle) begin_at_farthest(beams);
+  if (beams.is_circle) begin_at(beams, best_seam(beams));
   weigh(beams);
 }
 

@@ -12,7 +12,7 @@
 namespace perceptor::scan {
 
 /// Beams that returned from something that is not the robot, counter-clockwise. Where the sweep
-/// closes a circle it begins at its farthest beam, and all beams follow a second time, so that a
+/// closes a circle it begins at its widest step, and all beams follow a second time, so that a
 /// run of beams may pass the seam: valid indices are then 0 to 2 count - 1.
 ///
 /// One array for each quantity: what is done to every beam is done to several at a time.

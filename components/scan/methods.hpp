@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "components/scan/cuts.hpp"
 #include "components/scan/resample.hpp"
 #include "components/scan/runs.hpp"
 
@@ -14,6 +15,7 @@ namespace perceptor::scan {
 struct Workspace {
   std::vector<Run> open;
   std::vector<double> gains;
+  CutMemory cuts;
   std::vector<ResampledPoint> points;
 };
 

@@ -1,6 +1,7 @@
 #include "components/scan/runs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace perceptor::scan {
 namespace {
@@ -12,6 +13,12 @@ Run shifted(Run run, std::size_t beams) {
   run.solid_until += beams;
   run.solid_from += beams;
   return run;
+}
+
+/// Of a straight piece on which beams are spread evenly as these are [m].
+double length_of(const Moments& m) {
+  const double spread = (m.xx + m.yy - (m.x * m.x + m.y * m.y) / m.w) / m.w;
+  return std::sqrt(12.0 * std::max(0.0, spread));
 }
 
 }  // namespace
@@ -32,7 +39,9 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
   const Misfit together = misfit(both, roughness);
   const double apart = misfit(first, roughness).chi_square + misfit(second, roughness).chi_square;
   const double degrees_of_freedom = std::max(1.0, both.beams - 4.0);
-  const double bend = both.beams * parameters.wall.bend * parameters.wall.bend / together.variance;
+  const double length = length_of(both);
+  const double crooked = std::min(parameters.wall.bend, parameters.wall.bend_growth * length);
+  const double bend = both.beams * crooked * crooked / together.variance;
   // Where even two lines fit worse than the noise says, the wall is bumpy.
   const double excess = std::clamp(apart / degrees_of_freedom, 1.0, parameters.wall.max_excess);
   return (together.chi_square - apart) / excess - parameters.wall.merge_chi2 - bend;

@@ -42,11 +42,15 @@ void describe(config::Fields& fields, WallParameters& p) {
   fields.number("bend", p.bend, {0.0, 0.1},
                 "[m] rms by which a long wall and the laser may be crooked; more keeps such walls "
                 "whole, less sees flatter corners");
+  fields.number("bend_growth", p.bend_growth, {0.0, 0.1},
+                "[m/m] the same for each metre of a shorter wall; the smaller of the two");
   fields.number("max_excess", p.max_excess, {1.0, 100.0},
                 "[-] variance of a bumpy wall's beams over what the noise says; more takes curved "
                 "things for walls");
   fields.number("support_sigmas", p.support_sigmas, {1.0, 10.0},
                 "[-] a beam further from the line does not support it");
+  fields.number("end_sigmas", p.end_sigmas, {1.0, 10.0},
+                "[-] nor does one at its end that is so far from the line of the others");
   fields.number("min_support_share", p.min_support_share, {0.0, 1.0},
                 "[-] of the beams between its ends; less takes curved things for walls");
   fields.integer("min_beams", p.min_beams, {3, 10000}, "that support a wall");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "components/scan/cuts.hpp"
@@ -58,47 +57,57 @@ class Splitter {
     // What one line leaves over what noise does is all that two lines can gain.
     const double left_over = chi_square_of_one_line() - static_cast<double>(end_ - begin_);
     if (left_over < 0.0) return std::nullopt;
-    const std::size_t at_chord =
-        std::clamp(farthest_from_chord(sweep_.beams, begin_, end_), first_, last_);
-    if (gain(at_chord) > 0.0) return at_chord;
-    if (left_over < parameters_.wall.merge_chi2) return std::nullopt;
-    const std::size_t best = refined(best_of_trials());
-    if (gain(best) > 0.0) return best;
-    return std::nullopt;
+    Cut cut = try_chord();
+    if (cut.gain <= 0.0 && left_over >= parameters_.wall.merge_chi2) cut = refined(try_grid());
+    if (cut.gain <= 0.0) return std::nullopt;
+    return cut.at;
   }
 
  private:
-  double gain(std::size_t cut) const {
-    return gain_of_cut(sweep_.sums.of(begin_, cut), sweep_.sums.of(cut, end_), parameters_);
-  }
+  struct Cut {
+    std::size_t at;
+    double gain;
+  };
 
   double chi_square_of_one_line() const {
     return misfit(sweep_.sums.of(begin_, end_), parameters_.noise.surface_roughness).chi_square;
   }
 
-  std::size_t best_of_trials() const {
-    const std::size_t step = 1 + (last_ - first_) / kTrials;
-    return best_from(first_, last_, step);
+  Cut cut_at(std::size_t at) const {
+    return {at, gain_of_cut(sweep_.sums.of(begin_, at), sweep_.sums.of(at, end_), parameters_)};
   }
 
-  /// Halves the step until it is a single beam.
-  std::size_t refined(std::size_t cut) const {
-    for (std::size_t step = (1 + (last_ - first_) / kTrials) / 2; step > 0; step /= 2)
-      cut =
-          best_from(std::max(first_, cut - std::min(cut, step)), std::min(last_, cut + step), step);
-    return cut;
+  static Cut better(const Cut& cut, const Cut& other) {
+    return other.gain > cut.gain ? other : cut;
   }
 
-  std::size_t best_from(std::size_t from, std::size_t to, std::size_t step) const {
-    std::size_t best = from;
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t cut = from; cut <= to; cut += step) {
-      const double here = gain(cut);
-      if (here <= most) continue;
-      most = here;
-      best = cut;
+  /// The farthest beam may be the last before the corner or the first behind it.
+  Cut try_chord() const {
+    const std::size_t farthest = farthest_from_chord(sweep_.beams, begin_, end_);
+    return better(cut_at(std::clamp(farthest, first_, last_)),
+                  cut_at(std::clamp(farthest + 1, first_, last_)));
+  }
+
+  /// At equal distances, counted from the nearer end, so that they are the same from both sides.
+  Cut try_grid() const {
+    const std::size_t span = last_ - first_;
+    Cut best = cut_at(first_);
+    for (std::size_t trial = 1; trial <= kTrials; ++trial) {
+      const bool is_past_middle = 2 * trial > kTrials;
+      const std::size_t ahead = span * (is_past_middle ? kTrials - trial : trial) / kTrials;
+      best = better(best, cut_at(is_past_middle ? last_ - ahead : first_ + ahead));
     }
     return best;
+  }
+
+  /// Halves the step of the grid until it is a single beam.
+  Cut refined(Cut cut) const {
+    for (std::size_t step = (last_ - first_) / kTrials; step > 0; step /= 2) {
+      const std::size_t earlier = cut.at - std::min(cut.at - first_, step);
+      const std::size_t later = std::min(last_, cut.at + step);
+      cut = better(better(cut, cut_at(earlier)), cut_at(later));
+    }
+    return cut;
   }
 
   const Sweep& sweep_;
@@ -135,7 +144,7 @@ void split_and_merge(const Sweep& sweep, const ScanParameters& parameters, Works
   remove_small(runs);
   merge_neighbours(runs, sweep.beams, parameters, workspace.gains);
   dissolve_short(runs, sweep, parameters);
-  place_cuts(runs, sweep);
+  place_cuts(runs, sweep, workspace.cuts);
 }
 
 }  // namespace perceptor::scan

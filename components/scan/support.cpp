@@ -10,6 +10,9 @@ namespace {
 /// Fits after which the set of supporting beams has settled, or never will.
 constexpr int kFits = 3;
 
+/// Foreign beams at an end, at most.
+constexpr int kTrims = 3;
+
 /// The best line through the beams. The weight of a beam grows with its range as measured, so
 /// that beams which err outwards count for more: to first order the normal equations are off by
 /// three times the sum of the beams, whatever the noise, and that is put back.
@@ -73,14 +76,13 @@ Support find_support(const Run& run, const Sweep& sweep, const PolarLine& line, 
   return support;
 }
 
-}  // namespace
-
-SupportedLine fit_supported_line(const Run& run, const Sweep& sweep,
-                                 const ScanParameters& parameters) {
-  SupportedLine fitted{.line = polar_line(run.moments),
-                       .support = {.moments = run.moments},
-                       .excess = excess_of(run.moments, parameters)};
-  int before = static_cast<int>(run.moments.beams);
+/// Fits and drops until the beams stay the same.
+SupportedLine settle(const Run& run, const Moments& moments, const Sweep& sweep,
+                     const ScanParameters& parameters) {
+  SupportedLine fitted{.line = polar_line(moments),
+                       .support = {.moments = moments},
+                       .excess = excess_of(moments, parameters)};
+  int before = static_cast<int>(moments.beams);
   for (int fit = 0; fit < kFits; ++fit) {
     fitted.support = find_support(run, sweep, fitted.line, fitted.excess, parameters);
     if (fitted.support.count < parameters.wall.min_beams) return fitted;
@@ -88,6 +90,46 @@ SupportedLine fit_supported_line(const Run& run, const Sweep& sweep,
     fitted.excess = excess_of(fitted.support.moments, parameters);
     if (fitted.support.count == before) return fitted;
     before = fitted.support.count;
+  }
+  return fitted;
+}
+
+/// Whether a beam is too far from the line that the others give. A foreign beam at the end of a
+/// short run draws the line towards itself, and then seems to support it (the deleted residual of
+/// Cook and Weisberg, "Residuals and Influence in Regression", 1982).
+bool is_loose(const Beams& beams, std::size_t i, const SupportedLine& fitted,
+              const ScanParameters& parameters) {
+  const Moments own = moments_of(beams, i);
+  const Moments others = fitted.support.moments - own;
+  const PolarLine line = polar_line(others);
+  const double off = line.a * beams.x[i] + line.b * beams.y[i] - 1.0;
+  const double determinant = others.xx * others.yy - others.xy * others.xy;
+  const double uncertain =
+      (own.xx * others.yy - 2.0 * own.xy * others.xy + own.yy * others.xx) / determinant;
+  const double roughness = parameters.noise.surface_roughness;
+  const double rough = roughness * roughness * (line.a * line.a + line.b * line.b) * own.w;
+  const double sigmas = parameters.wall.end_sigmas;
+  return off * off * own.w > sigmas * sigmas * fitted.excess * (1.0 + uncertain) * (1.0 + rough);
+}
+
+}  // namespace
+
+SupportedLine fit_supported_line(const Run& run, const Sweep& sweep,
+                                 const ScanParameters& parameters) {
+  Run trimmed = run;
+  SupportedLine fitted = settle(trimmed, trimmed.moments, sweep, parameters);
+  for (int trim = 0; trim < kTrims; ++trim) {
+    if (fitted.support.count <= parameters.wall.min_beams) break;
+    const Support support = fitted.support;
+    const bool drop_first = is_loose(sweep.beams, support.first, fitted, parameters);
+    const bool drop_last = is_loose(sweep.beams, support.last, fitted, parameters);
+    if (!drop_first && !drop_last) break;
+    Moments left = support.moments;
+    if (drop_first) left = left - moments_of(sweep.beams, support.first);
+    if (drop_last) left = left - moments_of(sweep.beams, support.last);
+    trimmed.begin = support.first + (drop_first ? 1 : 0);
+    trimmed.end = support.last + (drop_last ? 0 : 1);
+    fitted = settle(trimmed, left, sweep, parameters);
   }
   return fitted;
 }
