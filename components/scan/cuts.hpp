@@ -9,6 +9,16 @@
 
 namespace perceptor::scan {
 
+/// The beams, first to last, between which a cut may be moved.
+struct Window {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// The cut of the window with the least squared distances of the beams from their lines.
+std::size_t best_fit(const PolarLine& before, const PolarLine& after, const Window& window,
+                     const Beams& beams);
+
 /// Memory that is worked in, kept from scan to scan.
 struct CutMemory {
   std::vector<PolarLine> lines;
@@ -18,9 +28,5 @@ struct CutMemory {
 /// Moves each cut between neighbours that adjoin to the bearing at which their lines cross; where
 /// they cross elsewhere, as those of a step in a wall, to where the beams fit best.
 void place_cuts(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory);
-
-/// Gives the beams of a short run to the neighbours on both sides of it, where their two lines
-/// explain them as well as three would: what is left at a corner that was first cut beside it.
-void dissolve_short(std::vector<Run>& runs, const Sweep& sweep, const ScanParameters& parameters);
 
 }  // namespace perceptor::scan

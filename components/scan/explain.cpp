@@ -20,7 +20,7 @@ std::vector<BeamRecord> records_of(const WallExtractor& extractor, const LaserSc
   std::vector<BeamRecord> records(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i)
     if (is_return(scan, scan.ranges[i])) records[i].fate = Fate::on_robot;
-  for (const std::uint32_t beam : extractor.strays()) records[beam].fate = Fate::stray;
+  for (const std::size_t beam : extractor.strays()) records[beam].fate = Fate::stray;
   for (std::size_t i = 0; i < beams.count; ++i) records[beams.beam[i]].fate = Fate::in_no_run;
 
   const std::vector<RunResult>& runs = extractor.runs();

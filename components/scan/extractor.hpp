@@ -41,7 +41,7 @@ class WallExtractor {
   const Sweep& sweep() const { return sweep_; }
   const std::vector<RunResult>& runs() const { return results_; }
   /// Beams of the scan taken out as strays.
-  const std::vector<std::uint32_t>& strays() const { return gaps_.strays(); }
+  const std::vector<std::size_t>& strays() const { return gaps_.strays(); }
 
  private:
   void find_stretches();

@@ -60,9 +60,8 @@ bool follow_directly(const Beams& beams, std::size_t i, std::size_t j) {
 void Gaps::find(Beams& beams) {
   look_at_steps(beams);
   list_gaps(beams.count);
-  strays_.clear();
-  const auto follows = [](std::size_t gap, std::size_t next) { return next == gap + 1; };
-  if (std::ranges::adjacent_find(gaps_, follows) == gaps_.end()) return;
+  find_strays(beams);
+  if (strays_.empty()) return;
   take_out_strays(beams);
   list_gaps(beams.count);
 }
@@ -87,22 +86,33 @@ void Gaps::list_gaps(std::size_t count) {
   }
 }
 
+/// Each beam by the two beside it as they were measured, so that no stray comes first.
+void Gaps::find_strays(const Beams& beams) {
+  strays_.clear();
+  for (std::size_t k = 0; k + 1 < gaps_.size(); ++k) {
+    const std::size_t i = gaps_[k];
+    if (gaps_[k + 1] == i + 1 && !is_gap(beams, i - 1, i + 1)) strays_.push_back(i);
+  }
+}
+
 void Gaps::take_out_strays(Beams& beams) {
-  std::size_t kept = 1;
-  for (std::size_t i = 1; i < beams.count; ++i) {
-    const bool is_between_gaps = i + 1 < beams.count && excess_[i] > 0.0 && excess_[i + 1] > 0.0;
-    if (is_between_gaps && !is_gap(beams, kept - 1, i + 1)) {
-      strays_.push_back(beams.beam[i]);
-      excess_[i + 1] = 0.0;
+  const StepLimit limit(beams);
+  std::size_t kept = strays_.front();
+  auto stray = strays_.begin();
+  for (std::size_t i = kept; i < beams.count; ++i) {
+    if (stray != strays_.end() && *stray == i) {
+      *stray++ = beams.beam[i];
       continue;
     }
+    const bool follows_stray = stray != strays_.begin() && kept > 0;
     beams.x[kept] = beams.x[i];
     beams.y[kept] = beams.y[i];
     beams.range[kept] = beams.range[i];
     beams.weight[kept] = beams.weight[i];
     beams.bearing[kept] = beams.bearing[i];
     beams.beam[kept] = beams.beam[i];
-    excess_[kept++] = excess_[i];
+    excess_[kept] = follows_stray ? excess_of_step(beams, limit, kept - 1, kept) : excess_[i];
+    ++kept;
   }
   beams.count = kept;
 }

@@ -27,16 +27,17 @@ class Gaps {
   /// The beams that do not go on from the one before them, in order.
   const std::vector<std::size_t>& gaps() const { return gaps_; }
   /// Beams of the scan that were taken out.
-  const std::vector<std::uint32_t>& strays() const { return strays_; }
+  const std::vector<std::size_t>& strays() const { return strays_; }
 
  private:
   void look_at_steps(const Beams& beams);
   void list_gaps(std::size_t count);
+  void find_strays(const Beams& beams);
   void take_out_strays(Beams& beams);
 
   std::vector<double> excess_;  // [m^2] of the squared step from the beam before over the largest
   std::vector<std::size_t> gaps_;
-  std::vector<std::uint32_t> strays_;
+  std::vector<std::size_t> strays_;
 };
 
 }  // namespace perceptor::scan

@@ -98,8 +98,8 @@ struct PolarLine {
 /// The best line through the beams. Beams that all lie in one direction have none: then both
 /// coefficients are zero, as of a line infinitely far away.
 inline PolarLine polar_line(const Moments& m) {
-  // Beams in one direction: the determinant is what rounding leaves of the product.
-  constexpr double kRounding = 1e-13;
+  // Of beams in one direction, rounding leaves this of a determinant that ought to be zero.
+  constexpr double kRounding = 1e-12;
   const double determinant = m.xx * m.yy - m.xy * m.xy;
   const double trace = m.xx + m.yy;
   if (!(determinant > kRounding * trace * trace)) return {};
@@ -120,7 +120,9 @@ inline Misfit misfit(const Moments& m, double roughness) {
   const PolarLine line = polar_line(m);
   const double inverse_squared_distance = line.a * line.a + line.b * line.b;
   if (inverse_squared_distance == 0.0) return {};
-  const double of_range = std::max(0.0, m.w - line.a * m.x - line.b * m.y);
+  // Two beams are on their line; what is left of them is rounding.
+  const double left = m.beams > 2.0 ? m.w - line.a * m.x - line.b * m.y : 0.0;
+  const double of_range = std::max(0.0, left);
   // Both variances across the line, that of the range and the surface's, times w / distance^2.
   const double both = m.beams + roughness * roughness * inverse_squared_distance * m.w;
   return {.chi_square = of_range * m.beams / both,

@@ -31,6 +31,22 @@ Run make_run(const PrefixMoments& sums, std::size_t begin, std::size_t end) {
           .moments = sums.of(begin, end)};
 }
 
+Run with_end(Run run, std::size_t end, const PrefixMoments& sums) {
+  run.moments =
+      end < run.end ? run.moments - sums.of(end, run.end) : run.moments + sums.of(run.end, end);
+  if (run.solid_until == run.end) run.solid_until = end;
+  run.end = end;
+  return run;
+}
+
+Run with_begin(Run run, std::size_t begin, const PrefixMoments& sums) {
+  run.moments = begin > run.begin ? run.moments - sums.of(run.begin, begin)
+                                  : run.moments + sums.of(begin, run.begin);
+  if (run.solid_from == run.begin) run.solid_from = begin;
+  run.begin = begin;
+  return run;
+}
+
 Run past_seam(Run run, const Beams& beams) { return shifted(run, beams.count); }
 
 double gain_of_cut(const Moments& first, const Moments& second, const ScanParameters& parameters) {

@@ -36,6 +36,12 @@ inline constexpr std::size_t kMostStrays = 5;
 /// A run of these beams, all of them counted.
 Run make_run(const PrefixMoments& sums, std::size_t begin, std::size_t end);
 
+/// The run that ends before another beam, all beams up to there counted.
+Run with_end(Run run, std::size_t end, const PrefixMoments& sums);
+
+/// The run that begins at another beam, all beams from there counted.
+Run with_begin(Run run, std::size_t begin, const PrefixMoments& sums);
+
 /// The same run, one turn later.
 Run past_seam(Run run, const Beams& beams);
 

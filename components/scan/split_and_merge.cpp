@@ -5,14 +5,15 @@
 #include <optional>
 
 #include "components/scan/cuts.hpp"
+#include "components/scan/dissolving.hpp"
 #include "components/scan/merging.hpp"
 
 namespace perceptor::scan {
 namespace {
 
-/// Places at which a run is tried that one line does not explain, though its chord shows no
-/// place to split.
-constexpr std::size_t kTrials = 16;
+/// Steps between the places at which a run is tried that one line does not explain, though its
+/// chord shows no place to split. Odd: no place in the middle, which rounding would shift.
+constexpr std::size_t kTrials = 15;
 
 /// The beam farthest from the line through the first and the last. Beams are compared several at
 /// a time: the farthest of each block, then the one in the best block.
@@ -143,7 +144,7 @@ void split_and_merge(const Sweep& sweep, const ScanParameters& parameters, Works
   merge_neighbours(runs, sweep.beams, parameters, workspace.gains);
   remove_small(runs);
   merge_neighbours(runs, sweep.beams, parameters, workspace.gains);
-  dissolve_short(runs, sweep, parameters);
+  dissolve_short(runs, sweep, parameters, workspace.gains);
   place_cuts(runs, sweep, workspace.cuts);
 }
 
