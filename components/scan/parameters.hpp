@@ -39,8 +39,8 @@ struct WallParameters {
   double bend_growth = 0.008;   ///< [m/m] the same for each metre of a shorter wall
   double max_excess = 4.0;      ///< [-] variance of a bumpy wall's beams over what the noise says;
                                 ///< more takes curved things for walls
-  double support_sigmas = 3.5;  ///< [-] a beam further from the line does not support it
-  double end_sigmas = 3.0;      ///< [-] nor does one at its end, so far from the line of the others
+  double support_sigmas = 3.5;  ///< [-] a beam further from the line does not support it; at an
+                                ///< end, further from the line of the others
   double min_support_share = 0.7;  ///< [-] of the beams between its ends; less takes curved things
   int min_beams = 6;               ///< beams that support it
   double min_length = 0.25;        ///< [m]

@@ -49,8 +49,6 @@ void describe(config::Fields& fields, WallParameters& p) {
                 "things for walls");
   fields.number("support_sigmas", p.support_sigmas, {1.0, 10.0},
                 "[-] a beam further from the line does not support it");
-  fields.number("end_sigmas", p.end_sigmas, {1.0, 10.0},
-                "[-] nor does one at its end that is so far from the line of the others");
   fields.number("min_support_share", p.min_support_share, {0.0, 1.0},
                 "[-] of the beams between its ends; less takes curved things for walls");
   fields.integer("min_beams", p.min_beams, {3, 10000}, "that support a wall");

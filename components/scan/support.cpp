@@ -108,7 +108,7 @@ bool is_loose(const Beams& beams, std::size_t i, const SupportedLine& fitted,
       (own.xx * others.yy - 2.0 * own.xy * others.xy + own.yy * others.xx) / determinant;
   const double roughness = parameters.noise.surface_roughness;
   const double rough = roughness * roughness * (line.a * line.a + line.b * line.b) * own.w;
-  const double sigmas = parameters.wall.end_sigmas;
+  const double sigmas = parameters.wall.support_sigmas;
   return off * off * own.w > sigmas * sigmas * fitted.excess * (1.0 + uncertain) * (1.0 + rough);
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fstream>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 #include <pico/laser_scan_t.hpp>
 #include <pico/map_t.hpp>
@@ -50,6 +51,8 @@ constexpr double kOffsetTolerance = 0.01;
 /// Beams meet the ends of the jambs and of the corridor wall up to 3 cm apart; and a round
 /// edge ends where one likes [m].
 constexpr double kEndTolerance = 0.05;
+/// Asked of a corner between two long walls, from scan to scan: standard deviation [m].
+constexpr double kCornerScatter = 0.004;
 /// Asked of a door's width [m].
 constexpr double kWidthTolerance = 0.03;
 /// Scans in which all must be right.
@@ -265,6 +268,35 @@ TEST_F(PicoInTheDoorway, TheWallsAPersonSeesAreTheWallsOfEachScan) {
     if (are_the_walls(objects(recorded_.current[i], pico::map_object_t::WALL), recorded_.scans[i]))
       ++good;
   EXPECT_GE(share_of(good, recorded_.scans.size()), kShare);
+}
+
+/// Standard deviation of points along the axis along which they scatter most [m].
+double largest_deviation(const std::vector<Vector2>& points) {
+  Vector2 mean = Vector2::Zero();
+  for (const Vector2& point : points) mean += point / static_cast<double>(points.size());
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const Vector2& point : points)
+    scatter += (point - mean) * (point - mean).transpose() / static_cast<double>(points.size());
+  const double half_trace = 0.5 * scatter.trace();
+  return std::sqrt(half_trace +
+                   std::sqrt(std::max(0.0, half_trace * half_trace - scatter.determinant())));
+}
+
+TEST_F(PicoInTheDoorway, CornersOfLongWallsStayWhereTheyAre) {
+  const std::array corners{crossing(kRightJamb, kRightWall), crossing(kRightWall, kFarWall),
+                           crossing(kFarWall, kLeftWall)};
+  for (const Vector2& drawn : corners) {
+    std::vector<Vector2> seen;
+    for (const pico::map_t& map : recorded_.current) {
+      const auto corner = std::ranges::find_if(map.points, [&](const pico::map_point_t& point) {
+        return point.method == pico::map_point_t::METHOD_INTERSECTION &&
+               distance(drawn, {point.x, point.y}) < 2.0 * kDrawnWithin;
+      });
+      if (corner != map.points.end()) seen.emplace_back(corner->x, corner->y);
+    }
+    EXPECT_GE(share_of(seen.size(), recorded_.current.size()), kShare) << drawn.transpose();
+    EXPECT_LE(largest_deviation(seen), kCornerScatter) << drawn.transpose();
+  }
 }
 
 TEST_F(PicoInTheDoorway, NoWallIsMadeOfTheBeamsThatHitTheRobot) {
