@@ -42,6 +42,13 @@ bool is_printable(std::span<const std::uint8_t> text) {
 
 }  // namespace
 
+bool is_event_log(const std::filesystem::path& file) {
+  const detail::File opened(std::fopen(file.c_str(), "rb"));
+  std::array<std::uint8_t, kMagicBytes.size()> bytes{};
+  return opened && std::fread(bytes.data(), bytes.size(), 1, opened.get()) == 1 &&
+         bytes == kMagicBytes;
+}
+
 std::int64_t LogReader::Frame::data_offset() const {
   return offset + static_cast<std::int64_t>(kHeaderSize + channel_length);
 }

@@ -46,6 +46,9 @@ class LogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Whether the file begins as an event log does, whatever its name; false where it cannot be read.
+bool is_event_log(const std::filesystem::path& file);
+
 namespace detail {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }

@@ -16,12 +16,6 @@ fs::path program_directory() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
-/// robot.json stands beside the component's file; a lone file takes the default robot.
-fs::path robot_file_beside(const fs::path& config_file) {
-  const fs::path beside = config_file.parent_path() / "robot.json";
-  return fs::exists(beside) ? beside : default_config_directory() / "robot.json";
-}
-
 std::string footer(const Face& face, const config::Describe& describe) {
   const std::string name(face.name);
   return "Configuration keys, with their defaults (config/" + name + ".json, robot.json):\n" +
@@ -46,6 +40,11 @@ fs::path default_config_directory() {
   if (const char* set = std::getenv("PERCEPTOR_CONFIG")) return set;
   const fs::path installed = program_directory() / ".." / "share" / "perceptor" / "config";
   return fs::exists(installed) ? installed : fs::path(PERCEPTOR_CONFIG_DIR);
+}
+
+fs::path robot_file_beside(const fs::path& config_file) {
+  const fs::path beside = config_file.parent_path() / "robot.json";
+  return fs::exists(beside) ? beside : default_config_directory() / "robot.json";
 }
 
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const Face& face,

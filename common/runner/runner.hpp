@@ -73,6 +73,9 @@ void print_no_bus(std::string_view program, const std::string& lcm_url);
 /// the installed program, else the source tree's.
 std::filesystem::path default_config_directory();
 
+/// robot.json beside a component's configuration file; a lone file takes the default robot.
+std::filesystem::path robot_file_beside(const std::filesystem::path& config_file);
+
 template <class Component>
 int run_component(int argc, char** argv) {
   Face face{Component::kName, Component::kSummary, {}};

@@ -310,5 +310,16 @@ TEST_F(EventLog, AFullDiskIsAnError) {
   EXPECT_THROW(unbuffered.write("C", 0, large.data(), large.size()), LogError);
 }
 
+TEST_F(EventLog, IsKnownByItsFirstBytes) {
+  write(event("A", "data"));
+  EXPECT_TRUE(is_event_log(file()));
+  write("# lxscan 1\n");
+  EXPECT_FALSE(is_event_log(file()));
+  write(kMagic.substr(0, 3));
+  EXPECT_FALSE(is_event_log(file()));
+  EXPECT_FALSE(is_event_log(folder_ / "none"));
+  EXPECT_FALSE(is_event_log(folder_.path()));
+}
+
 }  // namespace
 }  // namespace perceptor
