@@ -2,6 +2,9 @@
 /// knows its interface.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "common/model/laser_scan.hpp"
 #include "components/scan/extractor.hpp"
 #include "tools/eval/found_walls.hpp"
@@ -10,10 +13,11 @@ namespace perceptor {
 
 class WallFinder {
  public:
-  explicit WallFinder(const scan::ScanParameters& parameters) : extractor_(parameters) {}
+  /// `footprint` of the robot that carries the laser; empty: none.
+  explicit WallFinder(const scan::ScanParameters& parameters, std::vector<Vector2> footprint = {})
+      : extractor_(parameters, std::move(footprint)) {}
 
-  /// From ranges to walls and corners, of a laser that stands still on no robot. This is what is
-  /// timed.
+  /// From ranges to walls and corners, of a laser that stands still. This is what is timed.
   void run(const LaserScan& scan);
 
   /// What the last run found. Only corners where two walls meet: the truth's corners are those

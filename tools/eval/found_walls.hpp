@@ -1,4 +1,4 @@
-/// @file What an extractor found in one scan, in the laser's frame.
+/// @file What an extractor found in one scan, in the robot's frame.
 #pragma once
 
 #include <vector>

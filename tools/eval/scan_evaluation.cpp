@@ -45,7 +45,7 @@ ScanEvaluation evaluate(const ScanSet& set, const scan::ScanParameters& paramete
   for (const NamedMethod& method : methods) {
     scan::ScanParameters with_method = parameters;
     with_method.method = method.method;
-    finders.emplace_back(with_method);
+    finders.emplace_back(with_method, set.footprint);
     evaluation.methods.push_back({method.name, {}, {}, {}});
   }
 

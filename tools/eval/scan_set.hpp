@@ -32,7 +32,7 @@ struct LabelledScan {
   double time = 0.0;  ///< [s]
   Position odometry;
   Position laser_in_world;
-  LaserScan scan;  ///< laser_in_robot is zero: robot and laser frame are one
+  LaserScan scan;  ///< where there is truth, laser_in_robot is zero: robot and laser frame are one
   std::vector<TruePiece> pieces;
   std::vector<TrueCorner> corners;
   std::vector<Segment> doors;  ///< [m] openings, jamb to jamb
@@ -40,6 +40,8 @@ struct LabelledScan {
 
 struct ScanSet {
   std::vector<LabelledScan> scans;
+  std::vector<Vector2> footprint;  ///< [m] outline of the robot that carries the laser, robot
+                                   ///< frame; empty: none
   bool has_truth = false;
 };
 

@@ -45,6 +45,12 @@ TEST(WallFinder, ForgetsTheLastScan) {
   EXPECT_TRUE(finder.found().corners.empty());
 }
 
+TEST(WallFinder, DoesNotTakeTheRobotForAWall) {
+  WallFinder finder({}, {{3.5, -2.5}, {4.5, -2.5}, {4.5, 2.5}, {3.5, 2.5}});
+  finder.run(room_scan());
+  EXPECT_THAT(finder.found().walls, SizeIs(4));
+}
+
 TEST(Floor, SumsAreOfTheBeamsBefore) {
   LaserScan scan;
   scan.bearings = {0.0, 1.5707963267948966};
@@ -82,6 +88,16 @@ TEST(ScanEvaluation, RunsEachMethodOnEachScan) {
     EXPECT_FALSE(method.score);
   }
   EXPECT_EQ(evaluation.methods[1].name, "two");
+}
+
+TEST(ScanEvaluation, LeavesOutWhatTheRobotCovers) {
+  ScanSet set;
+  set.footprint = {{-9.0, -9.0}, {9.0, -9.0}, {9.0, 9.0}, {-9.0, 9.0}};
+  set.scans.resize(1);
+  set.scans[0].scan = room_scan();
+  const ScanEvaluation evaluation =
+      evaluate(set, {}, {{"it", scan::ScanParameters().method}}, 1, [](std::int64_t) {});
+  EXPECT_TRUE(evaluation.methods[0].found[0].walls.empty());
 }
 
 TEST(ScanEvaluation, ScoresWhereThereIsTruth) {
