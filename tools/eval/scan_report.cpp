@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "tools/eval/fixed.hpp"
 #include "tools/eval/quantile.hpp"
 
 namespace perceptor {
@@ -22,12 +23,6 @@ const Head kScoreHead = {
     {{"TP", "FP", "frag", "angle", "perp.", "corner", "corner", "corner", "corner", "end"},
      {"%", "%", "%", "rms", "rms", "TP", "FP", "kind", "median", "point"},
      {"", "", "", "deg", "mm", "%", "%", "%", "mm", "mm"}}};
-
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 /// "-" where there is nothing to have a share of.
 std::string percent(std::int64_t part, std::int64_t whole) {
