@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
       "Examples:\n"
       "  pico-eval run build/run/last.lcmlog\n"
       "  pico-eval scan tune.scan.gz --method all\n"
+      "  pico-eval scan drive.lcmlog --sheet walls.svg\n"
+      "  pico-eval scan drive.lcmlog --explain 1200 --bearing 0.3\n"
       "  pico-eval rooms rooms.scan --sigma 0.03 --outliers 0.01 --dropouts 0.01\n"
       "  pico-eval scan --help");
   return perceptor::run_tool(app, argc, argv, [&] {
