@@ -109,7 +109,7 @@ std::optional<Corner> vector_corner(const Cut& cut, const Beams& beams,
                                     const ScanParameters& parameters) {
   const bool has_beams =
       has_beams_for_corner(cut.before, parameters) && has_beams_for_corner(cut.after, parameters);
-  if (!has_beams || !adjoin(beams, cut.before, cut.after)) return std::nullopt;
+  if (!has_beams || !is_bridgeable(beams, cut.before, cut.after)) return std::nullopt;
   const Line first = make_line(polar_line(cut.before.moments), beams.laser);
   const Line second = make_line(polar_line(cut.after.moments), beams.laser);
   const double sine = std::abs(cross(first.direction, second.direction));

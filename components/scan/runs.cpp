@@ -64,16 +64,16 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
 }
 
 bool adjoin(const Beams& beams, const Run& first, const Run& second) {
-  return second.begin - first.end <= kMostStrays && !is_gap(beams, first.end - 1, second.begin);
+  return second.begin == first.end && !is_gap(beams, first.end - 1, second.begin);
 }
 
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
   const std::size_t last = first.end - 1;
-  if (follow_directly(beams, last, second.begin)) return true;
   if (second.begin - first.end > kMostStrays) return false;
+  if (!is_gap(beams, last, second.begin)) return true;
+  const bool both_are_lines = std::min(first.size(), second.size()) > kMostStrays;
   const Vector2 hole = beams.end(second.begin) - beams.end(last);
-  return hole.squaredNorm() <= beams.max_hole * beams.max_hole ||
-         !is_gap(beams, last, second.begin);
+  return both_are_lines && hole.squaredNorm() <= beams.max_hole * beams.max_hole;
 }
 
 Run joined(const Run& first, const Run& second) {

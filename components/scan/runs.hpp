@@ -49,11 +49,12 @@ Run past_seam(Run run, const Beams& beams);
 /// surfaces, make of one line: negative where one line explains them [-].
 double gain_of_cut(const Moments& first, const Moments& second, const ScanParameters& parameters);
 
-/// Whether the second run begins where the first ends, a few strays apart, without a gap.
+/// Whether the second run begins where the first ends, without a gap.
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
-/// Whether what lies between two runs may be part of one wall: nothing that a beam could have
-/// passed through, however far apart a grazed wall sets its beams; or a few strays, or a hole.
+/// Whether a wall may go on from the first run to the second, over a few strays or none: where
+/// there is no gap, or where both runs are lines themselves and the gap is a hole at most. With
+/// less than that, clutter would turn into walls that point at the laser.
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second);
 
 /// Both runs and what lies between them; that does not count.

@@ -107,8 +107,7 @@ std::string sentence(const scan::BeamGroup& group, std::size_t beam, const ScanF
       return "in a run that is no wall.\n";
     case Fate::off_line:
       return "in a run that is " + wall() + ": too far to be part of it (" +
-             setting("wall.support_sigmas", parameters.wall.support_sigmas) + ", " +
-             setting("wall.end_sigmas", parameters.wall.end_sigmas) + ").\n";
+             setting("wall.support_sigmas", parameters.wall.support_sigmas) + ").\n";
     case Fate::supports:
       break;
   }

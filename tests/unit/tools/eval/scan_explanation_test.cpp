@@ -46,7 +46,7 @@ TEST(ExplainBeam, OffTheLineOfItsWall) {
   EXPECT_THAT(about(HandMade(), 4),
               StartsWith("beam 4 at 0.500 rad, 2.400 m: in a run that is wall 0, from (2.00, "
                          "-0.50) to (2.00, 0.50), 106 mm off its line: too far to be part of it "
-                         "(wall.support_sigmas 3.5, wall.end_sigmas 3).\nIts run 0, 4 beams"));
+                         "(wall.support_sigmas 3.5).\nIts run 0, 4 beams"));
 }
 
 TEST(ExplainBeam, WithoutReturn) {
