@@ -71,9 +71,10 @@ bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
   const std::size_t last = first.end - 1;
   if (second.begin - first.end > kMostStrays) return false;
   if (!is_gap(beams, last, second.begin)) return true;
-  const bool both_are_lines = std::min(first.size(), second.size()) > kMostStrays;
+  const bool one_is_a_line = std::max(first.size(), second.size()) >= kLineBeams;
   const Vector2 hole = beams.end(second.begin) - beams.end(last);
-  return both_are_lines && hole.squaredNorm() <= beams.max_hole * beams.max_hole;
+  const bool is_small = hole.squaredNorm() <= beams.max_hole * beams.max_hole;
+  return one_is_a_line && (is_small || follow_directly(beams, last, second.begin));
 }
 
 Run joined(const Run& first, const Run& second) {

@@ -30,6 +30,9 @@ struct Sweep {
 /// Beams that a run needs for a line and a look at how well it fits.
 inline constexpr std::size_t kFewestBeams = 3;
 
+/// Beams that are a line without any help.
+inline constexpr std::size_t kLineBeams = 8;
+
 /// Beams between two pieces of one wall, or at a corner: more than these are something else.
 inline constexpr std::size_t kMostStrays = 5;
 
@@ -52,9 +55,10 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
 /// Whether the second run begins where the first ends, without a gap.
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
-/// Whether a wall may go on from the first run to the second, over a few strays or none: where
-/// there is no gap, or where both runs are lines themselves and the gap is a hole at most. With
-/// less than that, clutter would turn into walls that point at the laser.
+/// Whether a wall may go on from the first run to the second, over a few strays or none. Where
+/// there is a gap, one of them has to be a line itself, and the gap a hole at most or nothing that
+/// a beam could have passed through: a grazed wall sets its beams far apart. Without a line to
+/// begin with, clutter would turn into walls that point at the laser.
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second);
 
 /// Both runs and what lies between them; that does not count.
