@@ -17,11 +17,22 @@ struct Return {
   double range = 0.0;  ///< [m]
 };
 
-std::vector<Return> returns_of(const LaserScan& scan, const TruePiece& piece) {
+/// Where a beam along this unit vector meets the line of the segment [m].
+double range_of(const Segment& wall, const Vector2& along) {
+  return cross(wall.a, wall.b - wall.a) / cross(along, wall.b - wall.a);
+}
+
+/// Of the piece's beams those that tell of it: outliers do not.
+std::vector<Return> returns_of(const LaserScan& scan, const TruePiece& piece,
+                               const TrueAssociationParameters& parameters) {
   std::vector<Return> returns;
-  for (std::size_t i = piece.first_beam; i <= piece.last_beam; ++i)
-    if (is_return(scan, scan.ranges[i]))
-      returns.push_back({{std::cos(scan.bearings[i]), std::sin(scan.bearings[i])}, scan.ranges[i]});
+  for (std::size_t i = piece.first_beam; i <= piece.last_beam; ++i) {
+    const double range = scan.ranges[i];
+    const Vector2 along(std::cos(scan.bearings[i]), std::sin(scan.bearings[i]));
+    const double error = range - range_of(piece.segment, along);
+    if (is_return(scan, range) && std::abs(error) <= parameters.outlier_sigmas * scan.range_sigma)
+      returns.push_back({along, range});
+  }
   return returns;
 }
 
@@ -57,8 +68,9 @@ std::optional<Vector2> fit_line(const std::vector<Return>& returns) {
   return is_line ? std::optional(n) : std::nullopt;
 }
 
-std::optional<Segment> fit_wall(const LaserScan& scan, const TruePiece& piece) {
-  const auto n = fit_line(returns_of(scan, piece));
+std::optional<Segment> fit_wall(const LaserScan& scan, const TruePiece& piece,
+                                const TrueAssociationParameters& parameters) {
+  const auto n = fit_line(returns_of(scan, piece, parameters));
   if (!n) return {};
   const auto foot = [&](const Vector2& point) -> Vector2 {
     return point - (n->dot(point) - 1.0) / n->squaredNorm() * *n;
@@ -88,7 +100,7 @@ FoundWalls walls_by_truth(const LabelledScan& scan, const TrueAssociationParamet
   FoundWalls found;
   for (const TruePiece& piece : pieces) {
     if (!piece.has_to_be_found) continue;
-    if (const auto wall = fit_wall(scan.scan, piece)) found.walls.push_back(*wall);
+    if (const auto wall = fit_wall(scan.scan, piece, parameters)) found.walls.push_back(*wall);
   }
   for (std::size_t i = 0; i + 1 < found.walls.size(); ++i)
     if (const auto corner = corner_between(found.walls[i], found.walls[i + 1], parameters))

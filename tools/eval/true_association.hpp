@@ -8,6 +8,7 @@
 namespace perceptor {
 
 struct TrueAssociationParameters {
+  double outlier_sigmas = 5.0;   ///< [-] a range further off its wall tells nothing of it
   double min_turn = 0.20943951;  ///< [rad] between two walls that make a corner, 12 degrees
   double max_reach = 0.25;       ///< [m] from the ends of both walls to their corner
 };

@@ -81,6 +81,16 @@ TEST(TrueAssociation, NoWallWhereOneBeamOrNoneReturned) {
   EXPECT_TRUE(walls_by_truth(scan).walls.empty());
 }
 
+TEST(TrueAssociation, OutliersTellNothingOfTheirWall) {
+  LabelledScan scan = room_corner();
+  scan.scan.range_sigma = 0.01;
+  const Segment without = walls_by_truth(scan).walls.at(0);
+  scan.scan.ranges[1] += 0.5;
+  const Segment with = walls_by_truth(scan).walls.at(0);
+  EXPECT_NEAR(distance(with.a, without.a), 0.0, kRounding);
+  EXPECT_NEAR(distance(with.b, without.b), 0.0, kRounding);
+}
+
 TEST(TrueAssociation, LeavesOutWhatNeedNotBeFound) {
   LabelledScan scan = room_corner();
   scan.pieces[0].has_to_be_found = false;
@@ -89,6 +99,7 @@ TEST(TrueAssociation, LeavesOutWhatNeedNotBeFound) {
 
 TEST(TrueAssociation, OnNoiseItIsTheMostLikelyLine) {
   LabelledScan scan = room_corner();
+  scan.scan.range_sigma = 0.015;
   const double noise[] = {0.01, -0.02, 0.015, -0.005};
   for (std::size_t i = 0; i < 4; ++i) scan.scan.ranges[i] += noise[i];
   const auto squares = [&](const Segment& wall) {
