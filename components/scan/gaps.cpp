@@ -53,10 +53,6 @@ bool is_gap(const Beams& beams, std::size_t i, std::size_t j) {
   return excess_of_step(beams, StepLimit(beams), i, j) > 0.0;
 }
 
-bool follow_directly(const Beams& beams, std::size_t i, std::size_t j) {
-  return j == i + 1 && beams.bearing[j] - beams.bearing[i] <= kMissingSteps * beams.increment;
-}
-
 void Gaps::find(Beams& beams) {
   look_at_steps(beams);
   list_gaps(beams.count);

@@ -14,9 +14,6 @@ namespace perceptor::scan {
 /// images for mobile robotics", 2004); where beams are missing, `max_hole` bounds it as well.
 bool is_gap(const Beams& beams, std::size_t i, std::size_t j);
 
-/// Whether no beam was measured between beam i and the later beam j.
-bool follow_directly(const Beams& beams, std::size_t i, std::size_t j);
-
 /// Finds the gaps of a scan; keeps its memory.
 class Gaps {
  public:

@@ -73,8 +73,7 @@ bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
   if (!is_gap(beams, last, second.begin)) return true;
   const bool one_is_a_line = std::max(first.size(), second.size()) >= kLineBeams;
   const Vector2 hole = beams.end(second.begin) - beams.end(last);
-  const bool is_small = hole.squaredNorm() <= beams.max_hole * beams.max_hole;
-  return one_is_a_line && (is_small || follow_directly(beams, last, second.begin));
+  return one_is_a_line && hole.squaredNorm() <= beams.max_hole * beams.max_hole;
 }
 
 Run joined(const Run& first, const Run& second) {

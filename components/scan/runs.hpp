@@ -56,9 +56,9 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
 /// Whether a wall may go on from the first run to the second, over a few strays or none. Where
-/// there is a gap, one of them has to be a line itself, and the gap a hole at most or nothing that
-/// a beam could have passed through: a grazed wall sets its beams far apart. Without a line to
-/// begin with, clutter would turn into walls that point at the laser.
+/// there is a gap, one of them has to be a line itself, and the gap a hole at most: without a line
+/// to begin with, clutter would turn into walls that point at the laser, and over wider gaps the
+/// two sides of a doorway into one wall.
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second);
 
 /// Both runs and what lies between them; that does not count.
