@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "components/scan/merging.hpp"
+
 namespace perceptor::scan {
 namespace {
 
@@ -53,7 +55,8 @@ void cluster_stretch(const Sweep& sweep, const Run& stretch, const ClusterParame
 void angle_clustering(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
                       std::vector<Run>& runs) {
   for (const Run& stretch : sweep.stretches)
-    cluster_stretch(sweep, stretch, parameters.cluster, workspace.points, runs);
+    cluster_stretch(sweep, stretch, parameters.angle_clustering, workspace.points, runs);
+  merge_over_strays(runs, sweep.beams, parameters, workspace.gains);
 }
 
 }  // namespace perceptor::scan

@@ -5,7 +5,9 @@
 ///   1. the next angle is the direction from the cluster's last point to the next point;
 ///   2. the mean angle of the cluster, each step weighted by its length, is the direction from
 ///      its first point to its last;
-///   3. where the two differ by more than noise explains, the cluster ends and another begins.
+///   3. where the two differ by more than noise explains, the cluster ends and another begins;
+///   4. merge neighbours that one line explains (merging.hpp): a single stray turns the direction,
+///      and in a circle the sweep may begin in the middle of a wall.
 #pragma once
 
 #include <vector>

@@ -10,6 +10,7 @@ WallExtractor::WallExtractor(const ScanParameters& parameters, std::vector<Vecto
 
 const Extraction& WallExtractor::extract(const LaserScan& scan, const Twist& twist) {
   Beams& beams = sweep_.beams;
+  reserve_for(scan.size());
   reader_.read(scan, twist, beams);
   gaps_.find(beams);
   if (beams.is_circle) repeat(beams);
@@ -24,6 +25,21 @@ const Extraction& WallExtractor::extract(const LaserScan& scan, const Twist& twi
   found_.no_return = beams.no_return;
   found_.in_footprint = beams.in_footprint;
   return found_;
+}
+
+/// A run has a beam at least, and there is a wall and a corner for each run at most: a scan that
+/// looks different from all before it needs no more memory either.
+void WallExtractor::reserve_for(std::size_t beams) {
+  sweep_.stretches.reserve(beams);
+  workspace_.open.reserve(beams);
+  workspace_.gains.reserve(beams);
+  workspace_.cuts.lines.reserve(beams);
+  workspace_.cuts.cuts.reserve(beams);
+  workspace_.points.reserve(beams);
+  runs_.reserve(beams);
+  results_.reserve(beams);
+  found_.walls.reserve(beams);
+  found_.corners.reserve(beams);
 }
 
 void WallExtractor::find_stretches() {

@@ -44,6 +44,7 @@ class WallExtractor {
   const std::vector<std::size_t>& strays() const { return gaps_.strays(); }
 
  private:
+  void reserve_for(std::size_t beams);
   void find_stretches();
   void fit_walls();
   void sort_by_bearing(const LaserScan& scan);

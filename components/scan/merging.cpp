@@ -78,4 +78,11 @@ void remove_small(std::vector<Run>& runs) {
   std::erase_if(runs, [](const Run& run) { return run.size() <= kMostStrays; });
 }
 
+void merge_over_strays(std::vector<Run>& runs, const Beams& beams, const ScanParameters& parameters,
+                       std::vector<double>& gains) {
+  merge_neighbours(runs, beams, parameters, gains);
+  remove_small(runs);
+  merge_neighbours(runs, beams, parameters, gains);
+}
+
 }  // namespace perceptor::scan

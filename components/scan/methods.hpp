@@ -3,6 +3,8 @@
 /// corners) is the same for all.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "components/scan/cuts.hpp"
@@ -23,6 +25,16 @@ struct Workspace {
 /// circle the last may pass the seam.
 using Method = void (*)(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
                         std::vector<Run>& runs);
+
+/// A method, and what it is called wherever one can be chosen.
+struct NamedMethod {
+  std::string_view name;
+  ScanMethod method;
+  Method function;
+};
+
+/// Every method, the default first.
+extern const std::array<NamedMethod, 5> kMethods;
 
 Method method_of(ScanMethod method);
 

@@ -1,12 +1,17 @@
 /// @file What can be turned in the scan component, and what moves when it is.
 #pragma once
 
+#include <cstdint>
+
 namespace perceptor::scan {
 
 /// How a stretch of beams is cut at its corners; every other step is shared.
 enum class ScanMethod {
-  angle_clustering,  ///< mean angle of the cluster against the next angle
-  split_and_merge,   ///< by likelihood ratios
+  split_and_merge,         ///< by likelihood ratios
+  angle_clustering,        ///< mean angle of the cluster against the next angle
+  endpoint_fit,            ///< at the beam farthest from the chord
+  incremental_regression,  ///< beam by beam, as long as the regression takes them
+  ransac,                  ///< lines through random pairs of beams, the longest run first
 };
 
 /// How far a beam may lie from where the wall is.
@@ -23,12 +28,37 @@ struct GapParameters {
   double max_hole = 0.3;  ///< [m] of wall that no beam returned from; more bridges doorways
 };
 
-/// How corners are first found.
+/// Where the mean angle of a cluster and the next angle differ.
 struct ClusterParameters {
   double min_spacing = 0.05;    ///< [m] between resampled points; more misses short walls
   double spacing_sigmas = 6.0;  ///< [-] the same in sigmas of the range: the larger of the two
   double min_turn = 0.2;        ///< [rad] that is a corner; less sees flatter corners
   double turn_sigmas = 4.0;     ///< [-] the same in sigmas of the angle: the larger of the two
+};
+
+/// How far from its chord a run bends.
+struct EndpointFitParameters {
+  double split_sigmas = 3.0;  ///< [-] of the noise across the chord; less cuts more, for the merge
+                              ///< step to undo
+};
+
+/// How a run grows beam by beam.
+struct IncrementalParameters {
+  double grow_sigmas = 3.0;  ///< [-] that a beam may add to the regression's error; less cuts more,
+                             ///< more grows further round a corner
+  int seed_beams = 5;        ///< that begin a run; more looks past noise, but round more corners
+};
+
+/// How models are drawn, and which are good enough.
+struct RansacParameters {
+  double inlier_sigmas = 2.5;  ///< [-] of the noise across the line
+  int max_trials = 100;        ///< pairs drawn for one wall; more finds shorter walls among others
+  double confidence = 0.99;    ///< [-] that a wall as long as the best one so far is not missed:
+                               ///< ends the trials earlier
+  int min_separation = 5;      ///< beams from one of a pair to the other; fewer draws lines whose
+                               ///< direction is noise
+  int min_inliers = 6;         ///< beams of a wall
+  std::int64_t seed = 1;       ///< of the random numbers; they begin anew with each scan
 };
 
 /// What makes a wall.
@@ -61,7 +91,10 @@ struct ScanParameters {
   ScanMethod method = ScanMethod::split_and_merge;
   NoiseParameters noise;
   GapParameters gap;
-  ClusterParameters cluster;
+  ClusterParameters angle_clustering;
+  EndpointFitParameters endpoint_fit;
+  IncrementalParameters incremental_regression;
+  RansacParameters ransac;
   WallParameters wall;
   CornerParameters corner;
 };

@@ -1,13 +1,21 @@
 #include "components/scan/scan_config.hpp"
 
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "components/scan/methods.hpp"
+
 namespace perceptor {
 
 namespace scan {
-
 const std::vector<std::pair<std::string, ScanMethod>>& method_names() {
-  static const std::vector<std::pair<std::string, ScanMethod>> names = {
-      {"split_and_merge", ScanMethod::split_and_merge},
-      {"angle_clustering", ScanMethod::angle_clustering}};
+  static const auto names = [] {
+    std::vector<std::pair<std::string, ScanMethod>> all;
+    for (const NamedMethod& named : kMethods) all.emplace_back(named.name, named.method);
+    return all;
+  }();
   return names;
 }
 
@@ -34,6 +42,34 @@ void describe(config::Fields& fields, ClusterParameters& p) {
                 "[rad] that is a corner; less sees flatter corners");
   fields.number("turn_sigmas", p.turn_sigmas, {0.0, 100.0},
                 "[-] the same in sigmas of the angle: the larger of the two");
+}
+
+void describe(config::Fields& fields, EndpointFitParameters& p) {
+  fields.number("split_sigmas", p.split_sigmas, {1.0, 100.0},
+                "[-] of the noise across the chord; less cuts more, for the merge step to undo");
+}
+
+void describe(config::Fields& fields, IncrementalParameters& p) {
+  fields.number("grow_sigmas", p.grow_sigmas, {1.0, 100.0},
+                "[-] that a beam may add to the regression's error; less cuts more, more grows "
+                "further round a corner");
+  fields.integer("seed_beams", p.seed_beams, {2, 1000},
+                 "that begin a run; more looks past noise, but round more corners");
+}
+
+void describe(config::Fields& fields, RansacParameters& p) {
+  fields.number("inlier_sigmas", p.inlier_sigmas, {1.0, 100.0}, "[-] of the noise across the line");
+  fields.integer("max_trials", p.max_trials, {1, 100000},
+                 "pairs drawn for one wall; more finds shorter walls among others");
+  fields.number("confidence", p.confidence, {0.0, 1.0},
+                "[-] that a wall as long as the best one so far is not missed: ends the trials "
+                "earlier; 1: never");
+  fields.integer("min_separation", p.min_separation, {1, 1000},
+                 "beams from one of a pair to the other; fewer draws lines whose direction is "
+                 "noise");
+  fields.integer("min_inliers", p.min_inliers, {3, 10000}, "beams of a wall");
+  fields.integer("seed", p.seed, {0, std::numeric_limits<std::int64_t>::max()},
+                 "of the random numbers; they begin anew with each scan");
 }
 
 void describe(config::Fields& fields, WallParameters& p) {
@@ -75,7 +111,11 @@ void describe(config::Fields& fields, ScanParameters& p) {
   fields.choice("method", p.method, method_names(), "how beams are cut at corners");
   fields.group("noise", p.noise, "how far a beam may lie from where the wall is");
   fields.group("gap", p.gap, "where the wall cannot go on from one beam to the next");
-  fields.group("cluster", p.cluster, "how corners are first found");
+  fields.group("angle_clustering", p.angle_clustering,
+               "where the mean angle of a cluster and the next angle differ");
+  fields.group("endpoint_fit", p.endpoint_fit, "how far from its chord a run bends");
+  fields.group("incremental_regression", p.incremental_regression, "how a run grows beam by beam");
+  fields.group("ransac", p.ransac, "how models are drawn, and which are good enough");
   fields.group("wall", p.wall, "what makes a wall");
   fields.group("corner", p.corner, "what makes a corner");
 }

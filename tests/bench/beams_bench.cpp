@@ -1,77 +1,88 @@
-/// @file What one scan costs, by beams, beside the least that any line extraction has to do.
-#include <cmath>
+/// @file What one scan costs, by beams: each way to find walls, beside the least that any has to
+/// do, and the other things that are done with every scan.
+#include <array>
+#include <string>
 
 #include <benchmark/benchmark.h>
 
 #include "components/proximity/surroundings.hpp"
-#include "components/scan/scan.hpp"
-#include "tests/support/scene.hpp"
+#include "components/scan/extractor.hpp"
+#include "tests/bench/bench_scans.hpp"
+#include "tests/bench/floor.hpp"
 
 namespace perceptor {
 namespace {
 
-const Twist kDriving{.vx = 0.5, .vy = 0.1, .va = 0.6};
-const std::vector<Vector2> kFootprint = {{0.2, 0.2}, {-0.2, 0.2}, {-0.2, -0.2}, {0.2, -0.2}};
+/// Scans of the same place with other noise, in turn: of a single one, the processor would learn
+/// every branch by heart.
+using Scans = std::array<LaserScan, 16>;
 
-/// An L-shaped room with a pillar, seen by a moving robot's noisy laser:
-///
-///   +-----------+
-///   |           |
-///   |   []      +-----+
-///   |  R              |
-///   +-----------------+
-LaserScan scan_of(const benchmark::State& state) {
-  test::Scene scene = test::room({{-1, -1}, {5, -1}, {5, 1.5}, {3, 1.5}, {3, 4}, {-1, 4}});
-  const test::Scene pillar = test::room({{0.8, 1}, {1.2, 1}, {1.2, 1.4}, {0.8, 1.4}});
-  scene.insert(scene.end(), pillar.begin(), pillar.end());
-  const auto beams = static_cast<std::size_t>(state.range(0));
-  const test::SceneLaser laser{.bearings = test::fan(beams, -2.0, 2.0),
-                               .laser_in_robot = {0.1, 0.0, 0.0},
-                               .sigma = 0.005,
-                               .sweep_time = 0.02};
-  return test::sweep(scene, laser, {}, kDriving);
+Scans scans_of(std::size_t beams, const Twist& twist) {
+  Scans scans;
+  for (std::size_t i = 0; i < scans.size(); ++i) scans[i] = scan_of(beams, twist, i + 1);
+  return scans;
+}
+
+std::size_t beams_of(const benchmark::State& state) {
+  return static_cast<std::size_t>(state.range(0));
 }
 
 void BeamCounts(benchmark::internal::Benchmark* bench) {
   for (const int beams : {180, 361, 1000, 1081, 10'000}) bench->Arg(beams);
 }
 
-/// Polar to Cartesian, and prefix sums of the second moments.
-void Floor(benchmark::State& state) {
-  const LaserScan scan = scan_of(state);
-  struct Sums {
-    double x, y, xx, xy, yy;
-  };
-  std::vector<Sums> sums(scan.size() + 1);
-  for (auto _ : state) {
-    Sums sum{};
-    for (std::size_t beam = 0; beam < scan.size(); ++beam) {
-      const double x = scan.ranges[beam] * std::cos(scan.bearings[beam]);
-      const double y = scan.ranges[beam] * std::sin(scan.bearings[beam]);
-      sum = {sum.x + x, sum.y + y, sum.xx + x * x, sum.xy + x * y, sum.yy + y * y};
-      sums[beam + 1] = sum;
-    }
-    benchmark::DoNotOptimize(sums.data());
-    benchmark::ClobberMemory();
-  }
+void FloorOfExtraction(benchmark::State& state) {
+  Floor floor(scan_of(beams_of(state), {}));
+  for (auto _ : state) floor.run();
 }
-BENCHMARK(Floor)->Apply(BeamCounts);
+BENCHMARK(FloorOfExtraction)->Name("Floor")->Apply(BeamCounts);
+
+/// x_floor: how many times the floor it takes, both measured here, one after the other.
+void Extract(benchmark::State& state, scan::ScanMethod method, const Twist& twist,
+             const std::vector<Vector2>& footprint) {
+  const Scans scans = scans_of(beams_of(state), twist);
+  scan::ScanParameters parameters;
+  parameters.method = method;
+  scan::WallExtractor extractor(parameters, footprint);
+  for (const LaserScan& scan : scans) extractor.extract(scan, twist);
+
+  const double floor = floor_time(scans.front());
+  std::size_t next = 0;
+  const double start = processor_time();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(extractor.extract(scans[next], twist));
+    next = (next + 1) % scans.size();
+  }
+  const double each = (processor_time() - start) / static_cast<double>(state.iterations());
+  state.counters["x_floor"] = each / floor;
+  state.counters["walls"] = static_cast<double>(extractor.extract(scans[0], twist).walls.size());
+}
+
+void ExtractDriving(benchmark::State& state) {
+  Extract(state, scan::ScanParameters{}.method, kDriving, kFootprint);
+}
+
+/// One benchmark for each method, whichever there are.
+const bool registered = [] {
+  for (const scan::NamedMethod& named : scan::kMethods) {
+    const std::string name = "Extract/" + std::string(named.name);
+    const auto run = [method = named.method](benchmark::State& state) {
+      Extract(state, method, {}, {});
+    };
+    benchmark::RegisterBenchmark(name.c_str(), run)->Apply(BeamCounts);
+  }
+  return true;
+}();
+BENCHMARK(ExtractDriving)->Apply(BeamCounts);
 
 void BeamEnds(benchmark::State& state) {
-  const LaserScan scan = scan_of(state);
+  const LaserScan scan = scan_of(beams_of(state), kDriving);
   for (auto _ : state) benchmark::DoNotOptimize(beam_ends(scan, kDriving));
 }
 BENCHMARK(BeamEnds)->Apply(BeamCounts);
 
-void ExtractWalls(benchmark::State& state) {
-  const LaserScan scan = scan_of(state);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(scan::extract_walls(scan, kDriving, kFootprint, {}));
-}
-BENCHMARK(ExtractWalls)->Apply(BeamCounts);
-
 void LookAround(benchmark::State& state) {
-  const LaserScan scan = scan_of(state);
+  const LaserScan scan = scan_of(beams_of(state), kDriving);
   for (auto _ : state) benchmark::DoNotOptimize(look_around(scan, kFootprint, {}));
 }
 BENCHMARK(LookAround)->Apply(BeamCounts);

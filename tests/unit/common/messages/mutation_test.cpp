@@ -6,7 +6,7 @@
 
 #include "common/messages/convert.hpp"
 #include "common/messages/schema.hpp"
-#include "tests/unit/common/messages/allocation_watch.hpp"
+#include "tests/support/allocation_watch.hpp"
 #include "tests/unit/common/messages/samples.hpp"
 
 namespace perceptor::messages {
@@ -86,7 +86,7 @@ void expect_survives_mutations() {
   Mutator mutator;
   int well_formed = 0;
   int valid = 0;
-  forget_allocations();
+  test::forget_allocations();
   for (int i = 0; i < kMutations; ++i) {
     const Bytes bytes = mutator.mutated(good);
     if (!find_fault<Message>(bytes).empty()) continue;
@@ -99,7 +99,7 @@ void expect_survives_mutations() {
     ++valid;
     use(message);
   }
-  EXPECT_LT(largest_allocation(), 100'000U);
+  EXPECT_LT(test::largest_allocation(), 100'000U);
   EXPECT_GT(well_formed, valid) << "both checks had something to find";
   EXPECT_GT(valid, 0);
 }

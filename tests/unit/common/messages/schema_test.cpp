@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/common/messages/allocation_watch.hpp"
+#include "tests/support/allocation_watch.hpp"
 #include "tests/unit/common/messages/samples.hpp"
 
 namespace perceptor::messages {
@@ -73,7 +73,7 @@ TYPED_TEST(FindFault, FindsAnotherFingerprint) {
 /// Each hostile number at each offset hits every count and every string's length.
 TYPED_TEST(FindFault, LetsNoHostileNumberThroughToTheDecode) {
   const Bytes good = encoded(sample<TypeParam>());
-  forget_allocations();
+  test::forget_allocations();
   for (std::size_t offset = 8; offset + 4 <= good.size(); ++offset) {
     for (const std::int32_t hostile : {-1, kSmallest, 0x20000000, kLargest, 100'000'000, 65'536}) {
       Bytes bytes = good;
@@ -85,7 +85,7 @@ TYPED_TEST(FindFault, LetsNoHostileNumberThroughToTheDecode) {
       validate(message);
     }
   }
-  EXPECT_LT(largest_allocation(), 100'000U);
+  EXPECT_LT(test::largest_allocation(), 100'000U);
 }
 
 TEST(FindFault, KnowsEveryType) {

@@ -13,8 +13,8 @@ namespace perceptor::test {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
-inline Map map_of(const LaserScan& scan, const Twist& twist = {}) {
-  const scan::ScanParameters parameters;
+inline Map map_of(const LaserScan& scan, const Twist& twist = {},
+                  const scan::ScanParameters& parameters = {}) {
   scan::WallExtractor extractor(parameters);
   return scan::current_map(extractor.extract(scan, twist), parameters.corner);
 }

@@ -1,4 +1,4 @@
-#include "tests/unit/common/messages/allocation_watch.hpp"
+#include "tests/support/allocation_watch.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,18 +6,24 @@
 
 namespace {
 
+std::size_t count = 0;
 std::size_t largest = 0;
 
 }  // namespace
 
-namespace perceptor {
+namespace perceptor::test {
 
-void forget_allocations() { largest = 0; }
+void forget_allocations() {
+  count = 0;
+  largest = 0;
+}
+std::size_t allocations() { return count; }
 std::size_t largest_allocation() { return largest; }
 
-}  // namespace perceptor
+}  // namespace perceptor::test
 
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+  ++count;
   largest = std::max(largest, size);
   return std::malloc(std::max<std::size_t>(size, 1));
 }
