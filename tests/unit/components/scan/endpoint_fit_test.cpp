@@ -48,7 +48,8 @@ TEST(EndpointFit, SplitsAWallNoMoreOftenWhereItIsNoisier) {
   for (const double sigma : {0.003, 0.01, 0.03, 0.1}) {
     std::size_t runs = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-      runs += runs_of(sweep({{{2, -2}, {2, 2}}}, pico_laser(sigma, seed)), without_merging()).size();
+      runs +=
+          runs_of(sweep({{{2, -2}, {2, 2}}}, pico_laser(sigma, seed)), without_merging()).size();
     // A beam of 300 or so lies beyond 3 sigmas of noise now and then, and so do the parts.
     EXPECT_LE(runs, 80U) << "in 20 scans with sigma " << sigma;
   }

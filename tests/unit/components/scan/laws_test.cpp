@@ -36,9 +36,8 @@ void expect_same_walls(const std::vector<Segment>& walls, const std::vector<Segm
                        std::size_t scan) {
   EXPECT_EQ(walls.size(), expected.size()) << "scan " << scan;
   for (const Segment& wall : expected)
-    EXPECT_TRUE(has_wall(walls, wall, kSame))
-        << "scan " << scan << ": no wall from " << wall.a.transpose() << " to "
-        << wall.b.transpose();
+    EXPECT_TRUE(has_wall(walls, wall, kSame)) << "scan " << scan << ": no wall from "
+                                              << wall.a.transpose() << " to " << wall.b.transpose();
 }
 
 class Laws : public testing::TestWithParam<double> {};
@@ -84,8 +83,8 @@ TEST_P(Laws, CircleMayBeginAtAnyBeam) {
       LaserScan begun_there = scans[i];
       std::ranges::rotate(begun_there.ranges, begun_there.ranges.begin() + first);
       std::ranges::rotate(begun_there.bearings, begun_there.bearings.begin() + first);
-      for (auto bearing = begun_there.bearings.end() - first;
-           bearing != begun_there.bearings.end(); ++bearing)
+      for (auto bearing = begun_there.bearings.end() - first; bearing != begun_there.bearings.end();
+           ++bearing)
         *bearing += 2.0 * std::numbers::pi;
       expect_same_walls(walls_of(map_of(begun_there)), expected, i);
     }
