@@ -42,7 +42,7 @@ std::string contents(const std::filesystem::path& path) {
 
 TEST(ScanSetWriter, WritesScansInTheFormatOfTheGivenSets) {
   std::ostringstream out;
-  write_scans(out, {{three_beams()}, true});
+  write_scans(out, {.scans = {three_beams()}, .footprint = {}, .has_truth = true});
   EXPECT_EQ(out.str(),
             "# lxscan 1  (see FORMAT.md)\n"
             "H 3 -2.000000000 2.000000000 0.010 10.000 0.0100\n"
@@ -51,7 +51,7 @@ TEST(ScanSetWriter, WritesScansInTheFormatOfTheGivenSets) {
 
 TEST(ScanSetWriter, WritesTheTruth) {
   std::ostringstream out;
-  write_truth(out, {{three_beams()}, true});
+  write_truth(out, {.scans = {three_beams()}, .footprint = {}, .has_truth = true});
   EXPECT_EQ(out.str(),
             "T 7 3 0 2 1 0 1.00000 -2.00000 3.00000 4.00000\n"
             "K 7 0.50000 -0.25000 1 1\n"
@@ -61,7 +61,7 @@ TEST(ScanSetWriter, WritesTheTruth) {
 
 TEST(ScanSetWriter, WritesTheTruthBesideTheScans) {
   const testing::TemporaryFolder folder;
-  const ScanSet set{{three_beams()}, true};
+  const ScanSet set{.scans = {three_beams()}, .footprint = {}, .has_truth = true};
   write_scan_set(set, folder / "some.set.scan");
   EXPECT_THAT(contents(folder / "some.set.scan"), ::testing::StartsWith("# lxscan 1"));
   EXPECT_THAT(contents(folder / "some.set.truth"), ::testing::StartsWith("T 7"));
@@ -69,7 +69,8 @@ TEST(ScanSetWriter, WritesTheTruthBesideTheScans) {
 
 TEST(ScanSetWriter, ASetWithoutTruthHasNoFileOfIt) {
   const testing::TemporaryFolder folder;
-  write_scan_set({{three_beams()}, false}, folder / "a.scan");
+  write_scan_set({.scans = {three_beams()}, .footprint = {}, .has_truth = false},
+                 folder / "a.scan");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.truth"));
 }
 
@@ -78,13 +79,17 @@ TEST(ScanSetWriter, RefusesWhatOneHeaderLineCannotDescribe) {
   EXPECT_THROW(write_scans(out, {}), std::invalid_argument);
   LabelledScan uneven = three_beams();
   uneven.scan.bearings[1] = 0.1;
-  EXPECT_THROW(write_scans(out, {{uneven}, true}), std::invalid_argument);
-  EXPECT_THROW(write_scans(out, {{three_beams(), uneven}, true}), std::invalid_argument);
+  EXPECT_THROW(write_scans(out, {.scans = {uneven}, .footprint = {}, .has_truth = true}),
+               std::invalid_argument);
+  EXPECT_THROW(
+      write_scans(out, {.scans = {three_beams(), uneven}, .footprint = {}, .has_truth = true}),
+      std::invalid_argument);
 }
 
 TEST(ScanSetWriter, RefusesNamesAndPlacesThatCannotBe) {
   EXPECT_THROW(truth_path("a.txt"), std::invalid_argument);
-  EXPECT_THROW(write_scan_set({{three_beams()}, true}, "no/such/folder/a.scan"),
+  EXPECT_THROW(write_scan_set({.scans = {three_beams()}, .footprint = {}, .has_truth = true},
+                              "no/such/folder/a.scan"),
                std::runtime_error);
 }
 
