@@ -1,5 +1,6 @@
 #include "components/scan/walls.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "components/scan/support.hpp"
@@ -27,16 +28,22 @@ Eigen::Matrix2d covariance_at(double along, const Vector2& direction, const Mome
   return covariance;
 }
 
-/// Where the beam meets the wall's line. The wall goes on behind its last beam by up to the
-/// distance of beams on it.
-WallEnd end_at(std::size_t i, const PolarLine& polar, const Wall& wall, const Beams& beams) {
-  const Vector2 ray = beams.end(i);
+/// Where the beam meets the wall's line, but no further from where it ended than its noise
+/// explains: on a grazed wall a small step aside is a long way along the beam. The wall goes on
+/// behind its last beam by up to the distance of beams on it.
+WallEnd end_at(std::size_t i, const Wall& wall, const Beams& beams,
+               const ScanParameters& parameters) {
+  const Vector2 along = beams.end(i) / beams.range[i];
+  const double meets_at = offset(wall.line, beams.laser) / std::abs(along.dot(wall.line.normal));
+  const double noise = parameters.wall.support_sigmas * beams.sigma(i);
+  const double ends_at = std::clamp(meets_at, beams.range[i] - noise, beams.range[i] + noise);
+  const Vector2 place = beams.laser + ends_at * along;
+
   const double beam_distance = distance_between_beams(beams, i, wall.line.normal);
-  const double along = beam_distance * beam_distance / 3.0;
   WallEnd end;
-  end.location = beams.laser + ray / (polar.a * ray.x() + polar.b * ray.y());
+  end.location = place - offset(wall.line, place) * wall.line.normal;
   end.covariance =
-      along * wall.line.direction * wall.line.direction.transpose() +
+      beam_distance * beam_distance / 3.0 * wall.line.direction * wall.line.direction.transpose() +
       variance_across(wall, end.location) * wall.line.normal * wall.line.normal.transpose();
   return end;
 }
@@ -83,8 +90,8 @@ Verdict fit_wall(const Run& run, const Sweep& sweep, const ScanParameters& param
   wall.line.point += middle * direction;
   const Misfit fit = misfit(support.moments, parameters.noise.surface_roughness);
   wall.line_covariance = covariance_at(middle, direction, support.moments, fit, excess);
-  wall.first = end_at(support.first, line, wall, beams);
-  wall.last = end_at(support.last, line, wall, beams);
+  wall.first = end_at(support.first, wall, beams, parameters);
+  wall.last = end_at(support.last, wall, beams, parameters);
   if (!(angle_sigma(wall) <= parameters.wall.max_angle_sigma)) return Verdict::too_uncertain;
   if (length(wall) < parameters.wall.min_length) return Verdict::too_short;
   return Verdict::wall;
