@@ -54,6 +54,12 @@ void begin_at(Beams& beams, std::size_t first) {
     *bearing += 2.0 * std::numbers::pi;
 }
 
+/// In a circle, all beams stand there twice.
+void reserve_for(std::size_t beams, Beams& in) {
+  for_each_array(in, [beams](auto& array) { array.reserve(2 * beams); });
+  in.weight.reserve(2 * beams);
+}
+
 void weigh(Beams& beams) {
   const double base = beams.range_sigma * beams.range_sigma;
   const double growth = beams.sigma_growth * beams.sigma_growth;
@@ -165,6 +171,8 @@ void BeamReader::keep_returns(const LaserScan& scan, Beams& beams) const {
 }
 
 void BeamReader::read(const LaserScan& scan, const Twist& twist, Beams& beams) {
+  reserve_for(scan.size(), beams);
+  in_order_.reserve(2 * scan.size());  // it changes places with those
   directions_.update(scan);
   beams.increment = directions_.increment();
   beams.grazing = 1.0 / std::sin(gap_.min_incidence);

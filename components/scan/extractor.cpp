@@ -27,9 +27,12 @@ const Extraction& WallExtractor::extract(const LaserScan& scan, const Twist& twi
   return found_;
 }
 
-/// A run has a beam at least, and there is a wall and a corner for each run at most: a scan that
+/// As many beams return as there are, at most, and in a circle they stand there twice. A run has a
+/// beam at least, and there is a wall and a corner for each run at most: a scan that
 /// looks different from all before it needs no more memory either.
 void WallExtractor::reserve_for(std::size_t beams) {
+  sweep_.sums.reserve(2 * beams);
+  gaps_.reserve(beams);
   sweep_.stretches.reserve(beams);
   workspace_.open.reserve(beams);
   workspace_.gains.reserve(beams);

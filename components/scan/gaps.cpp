@@ -53,6 +53,12 @@ bool is_gap(const Beams& beams, std::size_t i, std::size_t j) {
   return excess_of_step(beams, StepLimit(beams), i, j) > 0.0;
 }
 
+void Gaps::reserve(std::size_t beams) {
+  excess_.reserve(beams);
+  gaps_.reserve(beams);
+  strays_.reserve(beams);
+}
+
 void Gaps::find(Beams& beams) {
   look_at_steps(beams);
   list_gaps(beams.count);
@@ -72,7 +78,6 @@ void Gaps::look_at_steps(const Beams& beams) {
 void Gaps::list_gaps(std::size_t count) {
   constexpr std::size_t kBlock = 16;
   gaps_.clear();
-  gaps_.reserve(count);
   for (std::size_t block = 0; block < count; block += kBlock) {
     const std::size_t end = std::min(block + kBlock, count);
     const Eigen::Map<const Eigen::ArrayXd> excess(excess_.data() + block,
@@ -86,7 +91,6 @@ void Gaps::list_gaps(std::size_t count) {
 /// Each beam by the two beside it as they were measured, so that no stray comes first.
 void Gaps::find_strays(const Beams& beams) {
   strays_.clear();
-  strays_.reserve(gaps_.size());
   for (std::size_t k = 0; k + 1 < gaps_.size(); ++k) {
     const std::size_t i = gaps_[k];
     if (gaps_[k + 1] == i + 1 && !is_gap(beams, i - 1, i + 1)) strays_.push_back(i);

@@ -17,6 +17,9 @@ bool is_gap(const Beams& beams, std::size_t i, std::size_t j);
 /// Finds the gaps of a scan; keeps its memory.
 class Gaps {
  public:
+  /// Takes the memory that scans of so many beams need at most.
+  void reserve(std::size_t beams);
+
   /// Looks between all neighbours. Takes out beams that jump away from both their neighbours
   /// while those belong together, and says which.
   void find(Beams& beams);

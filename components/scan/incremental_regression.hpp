@@ -13,8 +13,7 @@
 /// A step costs the same few nanoseconds, however long the run has grown: see line_fit.hpp.
 ///
 /// It goes one way, as published, counter-clockwise, so the result depends on the way: where a
-/// corner is flat, the wall before it keeps the first beams of the wall behind it, never the other
-/// way round.
+/// corner is flat, the wall before it mostly keeps the first beams of the wall behind it.
 #pragma once
 
 #include <vector>

@@ -63,6 +63,9 @@ inline Moments moments_of(const Beams& beams, std::size_t i) {
 /// Sums up to each beam, of which those of any run are the difference.
 class PrefixMoments {
  public:
+  /// Takes the memory that so many beams need at most.
+  void reserve(std::size_t beams) { sums_.reserve(beams + 1); }
+
   /// Sums the beams, in a circle all of them twice.
   void sum(const Beams& beams);
 
