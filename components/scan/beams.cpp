@@ -149,7 +149,8 @@ void BeamReader::keep_returns(const LaserScan& scan, Beams& beams) const {
   };
   const auto is_usable = [&](std::size_t i) {
     const double range = beams.range[i];
-    if (!(range >= nearest && range <= farthest)) return false;
+    const bool returned = range >= nearest && range <= farthest;  // so that no NaN does
+    if (!returned) return false;
     const bool is_on_robot = range < own_reach && contains(footprint_, beams.location(i));
     beams.in_footprint += is_on_robot ? 1 : 0;
     return !is_on_robot;
