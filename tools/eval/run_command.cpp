@@ -3,11 +3,10 @@
 #include <memory>
 #include <numbers>
 
-#include "common/log/event_log.hpp"
 #include "common/runner/runner.hpp"
 #include "tools/eval/command.hpp"
+#include "tools/eval/read_events.hpp"
 #include "tools/eval/run_summary.hpp"
-#include "tools/progress.hpp"
 
 namespace perceptor {
 namespace {
@@ -53,18 +52,8 @@ void print_score(const WorldScore& score) {
 }
 
 int print_summary(const std::filesystem::path& log) {
-  LogReader reader(log);
   RunSummary summary;
-  {
-    Progress progress("reading", reader.size());
-    while (const auto event = reader.next()) {
-      summary.take(*event);
-      progress.at(reader.offset());
-    }
-  }
-  for (const LogDamage& damage : reader.damage())
-    std::fprintf(stderr, "pico-eval: %lld damaged bytes passed over at byte %lld\n",
-                 static_cast<long long>(damage.size), static_cast<long long>(damage.offset));
+  read_events(log, [&](const LogEvent& event) { summary.take(event); });
   print_messages(summary);
   print_latency(summary.latency());
   if (const auto score = summary.score()) print_score(*score);
