@@ -18,6 +18,9 @@ Command add_run_command(CLI::App& app);
 /// How much of a log's scans its local maps explain.
 Command add_explain_command(CLI::App& app);
 
+/// Scores the robot's trajectory in a log.
+Command add_trajectory_command(CLI::App& app);
+
 /// Scores the extraction of walls from single scans.
 Command add_scan_command(CLI::App& app);
 

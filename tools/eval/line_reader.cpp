@@ -114,9 +114,13 @@ std::int64_t LineReader::integer(std::int64_t min, std::int64_t max, std::string
   return value;
 }
 
-void LineReader::end() {
+bool LineReader::at_end() {
   rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlank), rest_.size()));
-  if (rest_.empty()) return;
+  return rest_.empty();
+}
+
+void LineReader::end() {
+  if (at_end()) return;
   last_word_ = rest_.substr(0, rest_.find_first_of(kBlank));
   fail("the end of the line");
 }

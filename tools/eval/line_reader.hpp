@@ -32,6 +32,8 @@ class LineReader {
   /// real file.
   bool next();
 
+  std::string_view line() const { return line_; }  ///< the whole line, until next()
+
   // The next word of the line, as what `what` says it should be. Throw TextFileError where it
   // is something else, or missing.
   std::string_view word(std::string_view what);
@@ -39,6 +41,9 @@ class LineReader {
   double finite(std::string_view what);
   void finite(std::initializer_list<double*> values, std::string_view what);
   std::int64_t integer(std::int64_t min, std::int64_t max, std::string_view what);
+
+  /// Whether nothing is left on the line.
+  bool at_end();
 
   /// Throws TextFileError where more is left on the line.
   void end();

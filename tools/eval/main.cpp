@@ -9,11 +9,13 @@ int main(int argc, char** argv) {
                "pico-eval"};
   app.require_subcommand(1);
   const std::array commands = {perceptor::add_run_command(app), perceptor::add_explain_command(app),
+                               perceptor::add_trajectory_command(app),
                                perceptor::add_scan_command(app), perceptor::add_rooms_command(app)};
   app.footer(
       "Examples:\n"
       "  pico-eval run build/run/last.lcmlog\n"
       "  pico-eval explain out.lcmlog\n"
+      "  pico-eval trajectory out.lcmlog --ref drive.ref --out drive.txt\n"
       "  pico-eval scan tune.scan.gz --method all\n"
       "  pico-eval scan drive.lcmlog --sheet walls.svg\n"
       "  pico-eval scan drive.lcmlog --explain 1200 --bearing 0.3\n"
