@@ -70,6 +70,7 @@ void print_drift(std::FILE* out, const Track& track, const Trajectory& reference
                "[deg/m]");
   print_row(out, "merge", merge);
   print_row(out, "odometry", odometry);
+  if (odometry.translation == 0.0 || odometry.heading == 0.0) return;  // it is the reference
   std::fprintf(out, "  %-10s %11.3f %12s %13.3f\n", "ratio",
                merge.translation / odometry.translation, "", merge.heading / odometry.heading);
 }
