@@ -47,6 +47,17 @@ bool has_moved_along(const Wall& p, const Line& line_p, const Wall& q,
          std::abs(head_shift) > allowed_at(kHead);
 }
 
+/// One of them is known to end before the gap between them: what is behind is another wall, of the
+/// next room perhaps.
+bool ends_before_gap(const Wall& p, const Line& line_p, const Wall& q, double gap,
+                     const SameWallParameters& parameters) {
+  const bool q_is_ahead = line_p.along.dot(q.segment.a - p.segment.a) > 0.0;
+  const WallEnd& head = (q_is_ahead ? p : q).ends[kHead];
+  const WallEnd& tail = (q_is_ahead ? q : p).ends[kTail];
+  const double uncertain = parameters.sigmas * std::sqrt(head.variance + tail.variance);
+  return (is_known(head) || is_known(tail)) && gap > parameters.shift + uncertain;
+}
+
 }  // namespace
 
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
@@ -65,6 +76,7 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
   const Extent extent = extent_along(longer, shorter);
   difference.gap = gap_beside(longer, extent);
   if (difference.gap > parameters.max_gap) return std::nullopt;
+  if (ends_before_gap(p, line_p, q, difference.gap, parameters)) return std::nullopt;
 
   difference.angle = std::abs(turn_between(longer, shorter));
   const double max_angle = allowed(parameters.angle, parameters.sigmas,

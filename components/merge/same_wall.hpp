@@ -29,9 +29,10 @@ struct Difference {
 };
 
 /// The difference of two walls that may be one; none where they are not. Lines are those of
-/// the walls. Where beams passed both ends of both to something farther, and both ends lie
-/// further on, it is not one wall seen piece by piece, but something that moved. Opposite faces
-/// never are one: they run in opposite directions.
+/// the walls. Pieces with a gap between them are two where one is known to end before it: the walls
+/// of two rooms on both sides of a partition. Where beams passed both ends of both to something
+/// farther, and both ends lie further on, it is not one wall seen piece by piece, but something
+/// that moved. Opposite faces never are one: they run in opposite directions.
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
                                   const Line& line_q, const SameWallParameters& parameters);
 
