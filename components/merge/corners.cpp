@@ -60,10 +60,10 @@ std::optional<Corner> possible_corner(const Wall& arriving, const Wall& leaving,
   Corner corner;
   corner.was_connected = were_connected(arriving, leaving);
   corner.is_intersection = turn >= parameters.min_angle;
-  const bool is_step =
-      !corner.is_intersection && std::abs(cross(along_in, tail - head)) > parameters.max_step;
-  if (is_step) return std::nullopt;
   corner.spread = distance(head, tail);
+  const bool is_step = std::abs(cross(along_in, tail - head)) > parameters.max_step;
+  const bool is_apart = corner.spread > parameters.max_hole;
+  if (!corner.is_intersection && (is_step || is_apart)) return std::nullopt;
   corner.location = corner.is_intersection
                         ? intersection(head, along_in, tail, along_out)
                         : weighted_middle(head, head_end.variance, tail, tail_end.variance);

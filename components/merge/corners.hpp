@@ -11,6 +11,8 @@ struct CornerParameters {
   double min_angle = 0.35;   ///< [rad] below it two lines do not fix a corner: their ends do
   double max_step = 0.05;    ///< [m] nearly parallel walls further apart sideways are a step in
                              ///< the wall, not a corner
+  double max_hole = 0.1;     ///< [m] nor are those whose ends are further apart: more closes what
+                             ///< may be an opening
   double keep_radius = 0.3;  ///< [m] a corner whose walls part further comes undone
 };
 

@@ -92,6 +92,9 @@ void describe(config::Fields& fields, CornerParameters& p) {
                 "[rad] below it two lines do not fix a corner: their ends do");
   fields.number("max_step", p.max_step, kMetres,
                 "[m] nearly parallel walls further apart sideways do not form a corner");
+  fields.number(
+      "max_hole", p.max_hole, kMetres,
+      "[m] nor do those whose ends are further apart: more closes what may be an opening");
   fields.number("keep_radius", p.keep_radius, kMetres,
                 "[m] a corner whose walls part further comes undone");
 }
