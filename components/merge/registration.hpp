@@ -17,7 +17,7 @@ namespace perceptor::merge {
 
 struct OdometryNoise {
   double translation = 0.05;  ///< [m / sqrt(m)] after one metre; larger trusts the walls more
-  double heading = 0.05;      ///< [rad / sqrt(rad)] after turning by one radian
+  double heading = 0.2;       ///< [rad / sqrt(rad)] after turning by one radian
   double heading_by_translation = 0.03;  ///< [rad / sqrt(m)] after driving one metre
   double still = 0.002;                  ///< [m and rad / sqrt(s)] with time alone
 };

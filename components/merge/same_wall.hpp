@@ -11,7 +11,7 @@ namespace perceptor::merge {
 struct SameWallParameters {
   double offset = 0.05;      ///< [m] walls this close are one however sharp they are; larger
                              ///< loses a flat cabinet before a wall, smaller makes doubles
-  double angle = 0.09;       ///< [rad] the same of their angle
+  double angle = 0.15;       ///< [rad] the same of their angle
   double sigmas = 3.0;       ///< this many standard deviations are added to both
   double max_offset = 0.15;  ///< [m] however uncertain they are
   double max_angle = 0.35;   ///< [rad] however uncertain they are

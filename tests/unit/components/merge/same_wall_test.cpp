@@ -46,6 +46,19 @@ TEST(SameWall, TwoHalvesWithASmallGapAreOne) {
   EXPECT_NEAR(same->gap, 0.2, 1e-12);
 }
 
+TEST(SameWall, PiecesOnBothSidesOfAPartitionAreTwo) {
+  //  room  |part|  room      The left one is known to end in its room's corner, 0.2 m before the
+  //  ------+    +------      wall of the next room begins in line with it.
+  Wall left = make_wall(0, 0, 2, 0);
+  left.ends[kHead].method = CornerMethod::intersection;
+  left.ends[kHead].variance = 1e-6;
+  EXPECT_FALSE(difference(left, make_wall(2.2, 0, 4, 0)));
+  Wall right = make_wall(2.2, 0, 4, 0);
+  right.ends[kTail] = left.ends[kHead];
+  EXPECT_FALSE(difference(make_wall(0, 0, 2, 0), right));
+  EXPECT_TRUE(difference(left, make_wall(1.9, 0, 4, 0))) << "it was wrong about that end";
+}
+
 TEST(SameWall, OverlapIsLikerThanGap) {
   const auto overlap = difference(kLong, make_wall(3, 0.04, 5, 0.04));
   const auto gap = difference(kLong, make_wall(4.2, 0, 5, 0));
