@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "components/scan/merging.hpp"
+#include "components/scan/splitting.hpp"
 
 namespace perceptor::scan {
 namespace {
@@ -71,28 +72,14 @@ std::optional<std::size_t> find_split(const Beams& beams, std::size_t begin, std
   return *best + static_cast<std::size_t>(farthest);
 }
 
-void split(const Sweep& sweep, const Run& stretch, const ScanParameters& parameters,
-           std::vector<Run>& open, std::vector<Run>& runs) {
-  open.assign(1, stretch);
-  while (!open.empty()) {
-    const Run run = open.back();
-    open.pop_back();
-    const auto cut = find_split(sweep.beams, run.begin, run.end, parameters);
-    if (!cut) {
-      runs.push_back(run);
-      continue;
-    }
-    open.push_back(make_run(sweep.sums, *cut, run.end));
-    open.push_back(make_run(sweep.sums, run.begin, *cut));
-  }
-}
-
 }  // namespace
 
 void endpoint_fit(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
                   std::vector<Run>& runs) {
-  for (const Run& stretch : sweep.stretches)
-    split(sweep, stretch, parameters, workspace.open, runs);
+  const auto find_cut = [&](const Run& run) {
+    return find_split(sweep.beams, run.begin, run.end, parameters);
+  };
+  split(sweep, find_cut, workspace.open, runs);
   merge_over_strays(runs, sweep.beams, parameters, workspace.gains);
 }
 

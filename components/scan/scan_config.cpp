@@ -13,6 +13,7 @@ namespace scan {
 const std::vector<std::pair<std::string, ScanMethod>>& method_names() {
   static const auto names = [] {
     std::vector<std::pair<std::string, ScanMethod>> all;
+    all.reserve(kMethods.size());
     for (const NamedMethod& named : kMethods) all.emplace_back(named.name, named.method);
     return all;
   }();

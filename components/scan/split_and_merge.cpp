@@ -7,6 +7,7 @@
 #include "components/scan/cuts.hpp"
 #include "components/scan/dissolving.hpp"
 #include "components/scan/merging.hpp"
+#include "components/scan/splitting.hpp"
 
 namespace perceptor::scan {
 namespace {
@@ -119,31 +120,15 @@ class Splitter {
   std::size_t last_;   ///< the last beam that may
 };
 
-void split(const Sweep& sweep, const Run& stretch, const ScanParameters& parameters,
-           std::vector<Run>& open, std::vector<Run>& runs) {
-  open.assign(1, stretch);
-  while (!open.empty()) {
-    const Run run = open.back();
-    open.pop_back();
-    const auto cut = Splitter(sweep, parameters, run.begin, run.end).find();
-    if (!cut) {
-      runs.push_back(run);
-      continue;
-    }
-    open.push_back(make_run(sweep.sums, *cut, run.end));
-    open.push_back(make_run(sweep.sums, run.begin, *cut));
-  }
-}
-
 }  // namespace
 
 void split_and_merge(const Sweep& sweep, const ScanParameters& parameters, Workspace& workspace,
                      std::vector<Run>& runs) {
-  for (const Run& stretch : sweep.stretches)
-    split(sweep, stretch, parameters, workspace.open, runs);
-  merge_neighbours(runs, sweep.beams, parameters, workspace.gains);
-  remove_small(runs);
-  merge_neighbours(runs, sweep.beams, parameters, workspace.gains);
+  const auto find_cut = [&](const Run& run) {
+    return Splitter(sweep, parameters, run.begin, run.end).find();
+  };
+  split(sweep, find_cut, workspace.open, runs);
+  merge_over_strays(runs, sweep.beams, parameters, workspace.gains);
   dissolve_short(runs, sweep, parameters, workspace.gains);
   place_cuts(runs, sweep, workspace.cuts);
 }

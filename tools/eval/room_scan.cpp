@@ -57,6 +57,7 @@ std::vector<std::optional<BeamTarget>> beam_targets(const std::vector<PlanWall>&
                                                     const RoomLaser& laser) {
   const Position world_in_laser = inverse(laser_in_world);
   std::vector<Segment> in_laser;
+  in_laser.reserve(walls.size());
   for (const PlanWall& wall : walls) in_laser.push_back(transform(world_in_laser, wall.segment));
 
   std::vector<std::optional<BeamTarget>> targets;

@@ -73,6 +73,7 @@ std::string square(const std::string& kind, const Vector2& upper_left, double si
 
 std::string draw_robot(const PanelView& view, const std::vector<Vector2>& footprint) {
   std::vector<Vector2> corners;
+  corners.reserve(footprint.size());
   for (const Vector2& corner : footprint) corners.push_back(view.to_panel(corner));
   const Vector2 robot = view.to_panel({0.0, 0.0});
   const std::vector<Vector2> arrow = {robot + Vector2(0.0, -kRobotSize),
@@ -135,12 +136,13 @@ std::string draw_scale(const PanelView& view) {
 
 Vector2 PanelView::to_panel(const Vector2& location) const {
   const Vector2 from_centre = scale() * (location - centre);
-  return Vector2(0.5 * kPanelSize - from_centre.y(), 0.5 * kPanelSize - from_centre.x());
+  return {0.5 * kPanelSize - from_centre.y(), 0.5 * kPanelSize - from_centre.x()};
 }
 
 PanelView view_of(const LaserScan& scan) {
   const std::vector<BeamEnd> ends = beam_ends(scan);
   std::vector<double> ranges;
+  ranges.reserve(ends.size());
   for (const BeamEnd& end : ends) ranges.push_back(end.range);
   const double shown = kShownBeyond * quantile(std::move(ranges), kShownShare);
   Vector2 low(0.0, 0.0);

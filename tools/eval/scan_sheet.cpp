@@ -55,7 +55,8 @@ std::vector<std::size_t> scans_of_sheet(std::size_t scans, std::optional<std::si
 
 void ScanSheet::add(const ScanFindings& scan) {
   const double left = kPanelSize * static_cast<double>(count_ % kColumns);
-  const double top = kHead + kPanelSize * static_cast<double>(count_ / kColumns);
+  const std::size_t row = count_ / kColumns;
+  const double top = kHead + kPanelSize * static_cast<double>(row);
   panels_ += scan_panel(scan, footprint_, left, top);
   ++count_;
 }

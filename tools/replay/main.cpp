@@ -104,7 +104,8 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--config-dir", options.config_dir, "folder of the components' JSON files")
       ->capture_default_str();
-  app.add_option("--set", options.overrides, "component.key=value, as in scan.aligner.max_gap=3");
+  app.add_option("--set", options.overrides, "component.key=value, as in scan.aligner.max_gap=3")
+      ->allow_extra_args(false);
   app.footer(
       "Example:\n"
       "  pico-replay drive.lcmlog replayed.lcmlog --set scan.aligner.max_gap=3");
