@@ -66,6 +66,8 @@ void move_cut(Run& before, Run& after, std::size_t cut, const PrefixMoments& sum
 
 /// All cuts at once, each by the runs as they were, so that no cut comes first.
 void place_all(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory) {
+  // A first run that passes the seam would, one turn later, end behind the last beam there is.
+  if (sweep.beams.is_circle && runs.front().end > sweep.beams.count) turn(runs, sweep.beams);
   memory.lines.clear();
   memory.cuts.clear();
   for (const Run& run : runs) memory.lines.push_back(polar_line(run.moments));
