@@ -62,6 +62,10 @@ bool merge_marked(std::vector<Run>& runs, std::vector<double>& gains, const Beam
   return merged;
 }
 
+void remove_small(std::vector<Run>& runs) {
+  std::erase_if(runs, [](const Run& run) { return run.size() <= kMostStrays; });
+}
+
 }  // namespace
 
 void merge_neighbours(std::vector<Run>& runs, const Beams& beams, const ScanParameters& parameters,
@@ -72,10 +76,6 @@ void merge_neighbours(std::vector<Run>& runs, const Beams& beams, const ScanPara
     update(gains, runs, beams, parameters);
     mark_best(gains);
   } while (merge_marked(runs, gains, beams));
-}
-
-void remove_small(std::vector<Run>& runs) {
-  std::erase_if(runs, [](const Run& run) { return run.size() <= kMostStrays; });
 }
 
 void merge_over_strays(std::vector<Run>& runs, const Beams& beams, const ScanParameters& parameters,

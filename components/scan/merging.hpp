@@ -13,10 +13,8 @@ namespace perceptor::scan {
 void merge_neighbours(std::vector<Run>& runs, const Beams& beams, const ScanParameters& parameters,
                       std::vector<double>& gains);
 
-/// Takes out runs of a few beams, which then count as strays.
-void remove_small(std::vector<Run>& runs);
-
-/// All of it: merges neighbours, takes out what is still small, and merges over that.
+/// All of it: merges neighbours, takes out runs of a few beams, which then count as strays, and
+/// merges over these.
 void merge_over_strays(std::vector<Run>& runs, const Beams& beams, const ScanParameters& parameters,
                        std::vector<double>& gains);
 

@@ -7,11 +7,14 @@
 ///      plain form of it);
 ///   2. where the chord shows no place to split but one line does not explain the beams, try
 ///      others;
-///   3. merge neighbours that one line explains, over strays too;
-///   4. move each cut to where the lines of its two walls cross.
+///   3. merge neighbours that one line explains, over strays too (merging.hpp);
+///   4. give the beams of short runs that are left at corners to the walls beside them
+///      (dissolving.hpp);
+///   5. move each cut to where the lines of its two walls cross (cuts.hpp).
 ///
-/// Each test costs the same few nanoseconds, however many beams: see line_fit.hpp. Nothing
-/// depends on which way the laser turns.
+/// Each test costs the same few nanoseconds, however many beams: see line_fit.hpp. All decisions of
+/// a step are made on the runs as they were before it, so that the result is the same whichever
+/// way the laser turns, and wherever a circle begins.
 #pragma once
 
 #include <vector>
