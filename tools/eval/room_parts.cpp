@@ -51,7 +51,7 @@ void bend_wall(Outline& outline, std::size_t wall, const std::vector<Vector2>& p
   const Vector2 along = direction(side);
   Outline bends;
   for (const Vector2& point : path)
-    bends.push_back(side.a + point.x() * along + point.y() * perpendicular(along));
+    bends.emplace_back(side.a + point.x() * along + point.y() * perpendicular(along));
   outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(wall) + 1, bends.begin(),
                  bends.end());
 }

@@ -47,7 +47,7 @@ class WorldScorer {
   explicit WorldScorer(const WorldScoreParameters& parameters = {}) : parameters_(parameters) {}
 
   void take(const pico::truth_t& truth);
-  void take_world(const pico::map_t& world);
+  void take_world(const pico::map_t& message);
   void take_identified(const pico::map_t& map);
 
   std::optional<WorldScore> score() const;
@@ -59,7 +59,7 @@ class WorldScorer {
     bool is_found = false;
   };
 
-  void compare(const pico::truth_t& truth, const pico::map_t& map);
+  void compare(const pico::truth_t& truth, const pico::map_t& message);
   bool is_on_a_wall(const Segment& found_in_world) const;
   Opening* opening_at(const Segment& found_in_world);
 
