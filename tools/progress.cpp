@@ -1,9 +1,9 @@
 #include "tools/progress.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <utility>
+
+#include <unistd.h>
 
 namespace perceptor {
 namespace {

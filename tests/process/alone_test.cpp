@@ -22,8 +22,7 @@ TEST_P(AloneTest, SaysWhatItWaitsForWithoutABusyLoop) {
   ASSERT_TRUE(status.wait_until([&] { return last().seq >= 3; }));
   for (const std::string& input : GetParam().inputs)
     EXPECT_NE(last().note.find(input), std::string::npos) << last().note;
-  for (const auto& input : last().inputs)
-    EXPECT_EQ(input.state, pico::status_input_t::WAITING);
+  for (const auto& input : last().inputs) EXPECT_EQ(input.state, pico::status_input_t::WAITING);
   const double share = last().cpu_s / 3.0;  // three seconds between four STATUS messages
   EXPECT_LT(share, 0.10) << "of a core, while nothing happens";
   EXPECT_EQ(process.stop(), 0);
@@ -38,12 +37,13 @@ TEST_P(AloneTest, EndsCleanlyOnTerminate) {
   EXPECT_EQ(process.wait(Seconds(5)), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Every, AloneTest,
-    testing::Values(Waiting{"locate", {"PICO_ODOMETRY"}}, Waiting{"proximity", {"PICO_LASER"}},
-                    Waiting{"scan", {"PICO_LASER", "POSITION"}},
-                    Waiting{"merge", {"CURRENT_MAP"}}, Waiting{"identify", {"LOCAL_MAP"}}),
-    [](const auto& which) { return which.param.component; });
+INSTANTIATE_TEST_SUITE_P(Every, AloneTest,
+                         testing::Values(Waiting{"locate", {"PICO_ODOMETRY"}},
+                                         Waiting{"proximity", {"PICO_LASER"}},
+                                         Waiting{"scan", {"PICO_LASER", "POSITION"}},
+                                         Waiting{"merge", {"CURRENT_MAP"}},
+                                         Waiting{"identify", {"LOCAL_MAP"}}),
+                         [](const auto& which) { return which.param.component; });
 
 TEST(NoBus, IsSaidWithWhatToDo) {
   const Finished refused =

@@ -56,8 +56,7 @@ class BadInputTest : public testing::Test {
  protected:
   void start(const std::string& component) {
     component_ = component;
-    process_ = std::make_unique<Process>(
-        std::vector<std::string>{program("pico-" + component)});
+    process_ = std::make_unique<Process>(std::vector<std::string>{program("pico-" + component)});
     ASSERT_TRUE(status_.wait_for({component}));
   }
 
@@ -132,7 +131,8 @@ TEST_F(BadInputTest, HostileCountsOfBeamsAreRejected) {
   const Bytes good = detail::encode(scan_of(1000));
   // The count of ranges stands before 1000 floats, the count of bearings and none of those.
   const std::size_t count_at = good.size() - 4 - 4000 - 4;
-  for (const std::uint32_t count : {0xFFFFFFFFU, 0x80000000U, 0x7FFFFFFFU, 0x20000000U, 100'000'000U})
+  for (const std::uint32_t count :
+       {0xFFFFFFFFU, 0x80000000U, 0x7FFFFFFFU, 0x20000000U, 100'000'000U})
     send("PICO_LASER", with_count(good, count_at, count));
   EXPECT_EQ(rejected_on(settled("PICO_LASER"), "PICO_LASER"), 5);
   EXPECT_LT(last().rss_bytes, 16'000'000) << "a hostile count must not be allocated";

@@ -56,8 +56,8 @@ void shift_channels(const fs::path& in, const fs::path& out) {
     std::int64_t oldest = std::numeric_limits<std::int64_t>::max();
     for (const auto& [name, events] : channels) oldest = std::min(oldest, events.front().timestamp);
     // Stay with one channel for a while, as far ahead of the others as is allowed.
-    auto& [name, events] = *std::next(channels.begin(), static_cast<std::ptrdiff_t>(
-                                                            random() % channels.size()));
+    auto& [name, events] =
+        *std::next(channels.begin(), static_cast<std::ptrdiff_t>(random() % channels.size()));
     for (auto run = random() % 30; run > 0 && !events.empty(); --run) {
       const LogEvent& event = events.front();
       if (event.timestamp > oldest + kMostShift) break;
@@ -96,9 +96,8 @@ TEST(Determinism, LivePlayedAgainAndReplayedAreEqualByteForByte) {
                  "lcm-logplayer at speed " + speed);
 
   expect_equal(live,
-               computed_live(scratch / "bridged.lcmlog",
-                             {program("pico-bridge"), "--source", "log:" + log.string(),
-                              "--speed", "3"}),
+               computed_live(scratch / "bridged.lcmlog", {program("pico-bridge"), "--source",
+                                                          "log:" + log.string(), "--speed", "3"}),
                "pico-bridge --source log:");
 
   expect_equal(live, replayed(log, scratch / "replayed.lcmlog"), "pico-replay");

@@ -33,8 +33,8 @@ TEST_P(FaceTest, PrintsAConfigurationThatItReadsBack) {
   EXPECT_EQ(printed.exit_code, 0);
   const ScratchFolder scratch;
   const auto file = scratch / "printed.json";
-  ASSERT_EQ(run({"sh", "-c", program("pico-" + GetParam()).string() + " --print-config >" +
-                                 file.string()})
+  ASSERT_EQ(run({"sh", "-c",
+                 program("pico-" + GetParam()).string() + " --print-config >" + file.string()})
                 .exit_code,
             0);
   const Finished again = run({program("pico-" + GetParam()), "--config", file, "--print-config"});
@@ -67,8 +67,8 @@ TEST(Face, NamesTheNearestKeyAndTheFile) {
   ASSERT_EQ(run({"sh", "-c", "echo '{\"methot\": 1}' >" + file.string()}).exit_code, 0);
   const Finished typo = run({program("pico-scan"), "--config", file});
   EXPECT_EQ(typo.exit_code, 2);
-  for (const std::string& word : {file.string(), std::string("/methot"),
-                                  std::string("did you mean \"method\"")})
+  for (const std::string& word :
+       {file.string(), std::string("/methot"), std::string("did you mean \"method\"")})
     EXPECT_NE(typo.output.find(word), std::string::npos) << word << " not in " << typo.output;
 }
 

@@ -56,8 +56,8 @@ class LaunchTest : public testing::Test {
 
   /// The processes whose parent is the launcher, by the last word of their program's name.
   std::optional<pid_t> pid_of(const std::string& component) const {
-    const Finished found = run({"pgrep", "-P", std::to_string(launcher_->pid()), "-f",
-                                "/pico-" + component + "( |$)"});
+    const Finished found = run(
+        {"pgrep", "-P", std::to_string(launcher_->pid()), "-f", "/pico-" + component + "( |$)"});
     if (found.exit_code != 0) return std::nullopt;
     return static_cast<pid_t>(std::stol(found.output));
   }
@@ -82,9 +82,10 @@ TEST_F(LaunchTest, EachKilledProcessIsBackWithinASecondAndNobodyElseStops) {
     const auto pid = pid_of(victim);
     ASSERT_TRUE(pid) << victim << " has no process\n" << output();
     kill(*pid, SIGKILL);
-    EXPECT_TRUE(status_.wait_until([&] { return status_.last(victim).boot != boots[victim]; },
-                                   Seconds(1)))
-        << victim << " is not back\n" << output();
+    EXPECT_TRUE(
+        status_.wait_until([&] { return status_.last(victim).boot != boots[victim]; }, Seconds(1)))
+        << victim << " is not back\n"
+        << output();
     boots[victim] = status_.last(victim).boot;
     for (const std::string& name : kEveryone)
       EXPECT_EQ(status_.last(name).boot, boots[name]) << name << " stopped too, after " << victim;

@@ -72,17 +72,19 @@ std::string map_line(const Map& map) {
   // A corner is the meeting of two connected ends, or a lone point.
   const auto corners = [&](PointProperty property) {
     return std::ranges::count_if(map.points, [&](const Point& p) {
-      const bool counted_by_the_other_end = p.connected != kNone && p.connected < &p - &map.points[0];
+      const bool counted_by_the_other_end =
+          p.connected != kNone && p.connected < &p - &map.points[0];
       return p.property == property && !counted_by_the_other_end;
     });
   };
-  return format("map       %lld walls, %lld concave and %lld convex corners, %lld doors, "
-                "%lld possible doors",
-                static_cast<long long>(objects(ObjectType::wall)),
-                static_cast<long long>(corners(PointProperty::concave)),
-                static_cast<long long>(corners(PointProperty::convex)),
-                static_cast<long long>(objects(ObjectType::door)),
-                static_cast<long long>(objects(ObjectType::possible_door)));
+  return format(
+      "map       %lld walls, %lld concave and %lld convex corners, %lld doors, "
+      "%lld possible doors",
+      static_cast<long long>(objects(ObjectType::wall)),
+      static_cast<long long>(corners(PointProperty::concave)),
+      static_cast<long long>(corners(PointProperty::convex)),
+      static_cast<long long>(objects(ObjectType::door)),
+      static_cast<long long>(objects(ObjectType::possible_door)));
 }
 
 std::string nearest_line(const pico::proximity_t& proximity) {

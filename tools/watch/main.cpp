@@ -130,8 +130,9 @@ int main(int argc, char** argv) {
   app.add_flag("--check", options.check, "only open the bus; exit code 1 where that fails");
   app.add_option("--timeout", options.timeout, "[s] give up waiting: exit code 1")
       ->capture_default_str();
-  app.footer("Stop with Ctrl-C. Examples:\n"
-             "  pico-watch\n"
-             "  pico-watch --wait locate,scan,merge && pico-bridge");
+  app.footer(
+      "Stop with Ctrl-C. Examples:\n"
+      "  pico-watch\n"
+      "  pico-watch --wait locate,scan,merge && pico-bridge");
   return perceptor::run_tool(app, argc, argv, [&] { return perceptor::watch_bus(options); });
 }

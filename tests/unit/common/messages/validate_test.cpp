@@ -190,29 +190,29 @@ TEST(ValidateScan, SweepsInUnderASecond) {
 }
 
 TEST(ValidateScan, HasALaserPose) {
-  expect_pose_is_checked<laser_scan_t>([](auto& m) -> auto& { return m.laser_in_robot; },
-                                       "laser_in_robot out of range");
+  expect_pose_is_checked<laser_scan_t>(
+      [](auto& m) -> auto& { return m.laser_in_robot; }, "laser_in_robot out of range");
 }
 
 TEST(ValidateOdometry, HasAPose) {
-  expect_pose_is_checked<pico::odometry_t>([](auto& m) -> auto& { return m.robot_in_odometry; },
-                                           "robot_in_odometry out of range");
+  expect_pose_is_checked<pico::odometry_t>(
+      [](auto& m) -> auto& { return m.robot_in_odometry; }, "robot_in_odometry out of range");
 }
 
 TEST(ValidatePosition, HasTwoPosesAndANamedFrame) {
   using pico::position_t;
-  expect_pose_is_checked<position_t>([](auto& m) -> auto& { return m.zero_in_odometry; },
-                                     "zero_in_odometry out of range");
-  expect_pose_is_checked<position_t>([](auto& m) -> auto& { return m.robot_in_zero; },
-                                     "robot_in_zero out of range");
+  expect_pose_is_checked<position_t>(
+      [](auto& m) -> auto& { return m.zero_in_odometry; }, "zero_in_odometry out of range");
+  expect_pose_is_checked<position_t>(
+      [](auto& m) -> auto& { return m.robot_in_zero; }, "robot_in_zero out of range");
   EXPECT_EQ(fault_after<position_t>([](auto& m) { m.zero_utime = -1; }), "zero_utime out of range");
   EXPECT_EQ(fault_after<position_t>([](auto& m) { m.bridged = -1; }), "bridged is negative");
 }
 
 TEST(ValidateSonar, ChecksItsRing) {
   using pico::sonar_t;
-  expect_pose_is_checked<sonar_t>([](auto& m) -> auto& { return m.sonar_in_robot[1]; },
-                                  "sonar_in_robot out of range");
+  expect_pose_is_checked<sonar_t>(
+      [](auto& m) -> auto& { return m.sonar_in_robot[1]; }, "sonar_in_robot out of range");
   expect_turned_down<sonar_t>([](auto& m) -> double& { return m.valid_max; }, kNoLengths,
                               "valid range out of range");
   expect_turned_down<sonar_t>([](auto& m) -> double& { return m.field_of_view; }, kNoLengths,
@@ -234,8 +234,8 @@ TEST(ValidateCommands, AreFiniteAndBounded) {
 
 TEST(ValidateTruth, ChecksDoorsAndMovers) {
   using pico::truth_t;
-  expect_pose_is_checked<truth_t>([](auto& m) -> auto& { return m.robot_in_world; },
-                                  "robot_in_world out of range");
+  expect_pose_is_checked<truth_t>(
+      [](auto& m) -> auto& { return m.robot_in_world; }, "robot_in_world out of range");
   for (double truth_t::*field : {&truth_t::vx, &truth_t::vy, &truth_t::va})
     expect_turned_down<truth_t>([field](auto& m) -> double& { return m.*field; }, kNoNumbers,
                                 "velocity out of range");
