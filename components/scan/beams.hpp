@@ -71,8 +71,7 @@ class BeamReader {
 /// Appends all beams once more, those of a circle.
 void repeat(Beams& beams);
 
-/// Variance of a beam across a line [m^2]; `normal` is the line's unit vector, `distance` its
-/// distance from the laser [m].
+/// Variance of a beam across a line [m^2]; `line_distance` is the line's from the laser [m].
 double variance_across(const Beams& beams, std::size_t i, double line_distance,
                        const NoiseParameters& noise);
 

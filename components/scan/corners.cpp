@@ -104,16 +104,17 @@ std::optional<Corner> spike(const Cut& cut, const Beams& beams, const ScanParame
   return corner;
 }
 
-/// Where the direction turns between two runs that adjoin.
+/// Where the direction turns from one run to the next that follows it.
 std::optional<Corner> vector_corner(const Cut& cut, const Beams& beams,
                                     const ScanParameters& parameters) {
   const bool has_beams =
       has_beams_for_corner(cut.before, parameters) && has_beams_for_corner(cut.after, parameters);
-  if (!has_beams || !is_bridgeable(beams, cut.before, cut.after)) return std::nullopt;
+  if (!has_beams || !follows(beams, cut.before, cut.after)) return std::nullopt;
   const Line first = make_line(polar_line(cut.before.moments), beams.laser);
   const Line second = make_line(polar_line(cut.after.moments), beams.laser);
   const double sine = std::abs(cross(first.direction, second.direction));
-  if (sine <= std::sin(parameters.corner.vector_angle)) return std::nullopt;
+  // Beams that all lie in one direction have no line, and then this is no number.
+  if (!(sine > std::sin(parameters.corner.vector_angle))) return std::nullopt;
   Corner corner{.place = end_of(beams, cut.next()),
                 .method = CornerMethod::vector,
                 .property = property_of_turn(first.direction, second.direction),

@@ -98,7 +98,8 @@ Account explain(const WallExtractor& extractor, const LaserScan& scan) {
     const bool is_last = r + 1 == results.size();
     const std::size_t next = is_last ? 0 : r + 1;
     const Run& run = results[r].run;
-    const Run next_run = is_last ? past_seam(results[0].run, beams) : results[next].run;
+    const Run next_run =
+        is_last && beams.is_circle ? past_seam(results[0].run, beams) : results[next].run;
     std::optional<double> turn;
     if (next_run.begin == run.end) turn = turn_between(run, next_run, beams);
     if (beams.is_circle || run.end < beams.count)

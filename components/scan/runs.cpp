@@ -67,12 +67,15 @@ bool adjoin(const Beams& beams, const Run& first, const Run& second) {
   return second.begin == first.end && !is_gap(beams, first.end - 1, second.begin);
 }
 
+bool follows(const Beams& beams, const Run& first, const Run& second) {
+  return second.begin - first.end <= kMostStrays && !is_gap(beams, first.end - 1, second.begin);
+}
+
 bool is_bridgeable(const Beams& beams, const Run& first, const Run& second) {
-  const std::size_t last = first.end - 1;
+  if (follows(beams, first, second)) return true;
   if (second.begin - first.end > kMostStrays) return false;
-  if (!is_gap(beams, last, second.begin)) return true;
   const bool one_is_a_line = std::max(first.size(), second.size()) >= kLineBeams;
-  const Vector2 hole = beams.end(second.begin) - beams.end(last);
+  const Vector2 hole = beams.end(second.begin) - beams.end(first.end - 1);
   return one_is_a_line && hole.squaredNorm() <= beams.max_hole * beams.max_hole;
 }
 

@@ -55,6 +55,9 @@ double gain_of_cut(const Moments& first, const Moments& second, const ScanParame
 /// Whether the second run begins where the first ends, without a gap.
 bool adjoin(const Beams& beams, const Run& first, const Run& second);
 
+/// Whether the second run begins where the first ends or a few strays behind, without a gap.
+bool follows(const Beams& beams, const Run& first, const Run& second);
+
 /// Whether a wall may go on from the first run to the second, over a few strays or none. Where
 /// there is a gap, one of them has to be a line itself, and the gap a hole at most: without a line
 /// to begin with, clutter would turn into walls that point at the laser, and over wider gaps the

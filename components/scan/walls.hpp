@@ -19,8 +19,8 @@ struct WallEnd {
 /// Directed counter-clockwise as seen from the laser: seen from its left.
 struct Wall {
   Line line;                        ///< through its middle
-  WallEnd first;                    ///< where the first beam that supports it meets its line
-  WallEnd last;                     ///< where the last beam that supports it meets its line
+  WallEnd first;                    ///< on its line, by the first beam that supports it
+  WallEnd last;                     ///< on its line, by the last beam that supports it
   Eigen::Matrix2d line_covariance;  ///< at its middle: perpendicular offset [m], angle [rad]
   std::size_t first_beam = 0;       ///< the first beam that supports it, index into Beams
   std::size_t last_beam = 0;        ///< the last beam that supports it, >= first_beam

@@ -167,6 +167,17 @@ TEST(Merger, WallsAcrossADoorwayStayTwo) {
   EXPECT_EQ(session.see_often(doorway, 10).walls.objects.size(), 3U);
 }
 
+TEST(Merger, PiecesInLineDoNotMeetOverTheOpeningBetweenThem) {
+  // The ends would reach each other (0.2 m each), but nothing was seen between them.
+  Session session;
+  session.see_often({wall(0, 0, 2.0, 0), wall(2.37, 0, 4, 0)}, 5);
+  ASSERT_EQ(session.walls().size(), 2U);
+  EXPECT_NEAR(session.walls()[0].segment.b.x(), 2.0, 0.01);
+  EXPECT_NEAR(session.walls()[1].segment.a.x(), 2.37, 0.01);
+  for (const Wall& piece : session.walls())
+    for (const WallEnd& end : piece.ends) EXPECT_EQ(end.connected, kNone);
+}
+
 TEST(Merger, NarrowGapIsADoorwayWhereBeamsPass) {
   const std::vector<Drawn> pieces = {wall(0, 0, 1.875, 0), wall(2.125, 0, 4, 0)};
   Session closed;

@@ -110,6 +110,18 @@ TEST(Explain, DirectionOfAShortNoisyWallIsTooUncertain) {
   EXPECT_GT(account.runs[group.run].angle_sigma, 0.01);
 }
 
+TEST(Explain, FirstRunOfAnOpenScanBeginsAfterBeamsInNone) {
+  // Three scattered beams, and then a wall 2 m away: the step to it is known, not guessed.
+  LaserScan scan = sweep({{{2, -2}, {2, 2}}}, narrow_laser());
+  for (const std::size_t beam : {0U, 1U, 2U}) scan.ranges[beam] = 5.0 + static_cast<double>(beam);
+  const Account account = account_of(scan);
+  ASSERT_EQ(account.runs.size(), 1U);
+  EXPECT_EQ(account.runs[0].first_beam, 3U);
+  EXPECT_EQ(account.runs[0].before.limit, Limit::gap);
+  EXPECT_NEAR(account.runs[0].before.step, 7.0 - scan.ranges[3], 0.01);
+  EXPECT_EQ(account.runs[0].after.limit, Limit::scan_end);
+}
+
 TEST(Explain, WallsThatMeetEndAtACornerWithItsTurn) {
   // A room's corner: to the left, by a quarter turn.
   const Account account = account_of(sweep(chain({{2, -2}, {2, 0.3}, {0, 0.3}}), narrow_laser()));
