@@ -27,4 +27,10 @@ Command add_scan_command(CLI::App& app);
 /// Makes a set of scans in random rooms.
 Command add_rooms_command(CLI::App& app);
 
+/// Scores local and identified maps of simulated logs.
+Command add_map_command(CLI::App& app);
+
+/// Makes random worlds for the simulator.
+Command add_worlds_command(CLI::App& app);
+
 }  // namespace perceptor

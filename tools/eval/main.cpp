@@ -5,12 +5,15 @@
 #include "tools/eval/command.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app{"Scores a recorded log, or walls extracted from single scans; makes such scans.",
-               "pico-eval"};
+  CLI::App app{
+      "Scores a recorded log, or walls extracted from single scans; makes such scans, and worlds.",
+      "pico-eval"};
   app.require_subcommand(1);
-  const std::array commands = {perceptor::add_run_command(app), perceptor::add_explain_command(app),
-                               perceptor::add_trajectory_command(app),
-                               perceptor::add_scan_command(app), perceptor::add_rooms_command(app)};
+  const std::array commands = {
+      perceptor::add_run_command(app),        perceptor::add_explain_command(app),
+      perceptor::add_trajectory_command(app), perceptor::add_scan_command(app),
+      perceptor::add_rooms_command(app),      perceptor::add_worlds_command(app),
+      perceptor::add_map_command(app)};
   app.footer(
       "Examples:\n"
       "  pico-eval run build/run/last.lcmlog\n"
@@ -20,6 +23,8 @@ int main(int argc, char** argv) {
       "  pico-eval scan drive.lcmlog --sheet walls.svg\n"
       "  pico-eval scan drive.lcmlog --explain 1200 --bearing 0.3\n"
       "  pico-eval rooms rooms.scan --sigma 0.03 --outliers 0.01 --dropouts 0.01\n"
+      "  pico-eval worlds out --worlds 20 --seed 1\n"
+      "  pico-eval map out/worlds/*.lcmlog\n"
       "  pico-eval scan --help");
   return perceptor::run_tool(app, argc, argv, [&] {
     int code = perceptor::kExitOk;

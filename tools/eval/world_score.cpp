@@ -68,22 +68,6 @@ void WorldScorer::take_world(const pico::map_t& message) {
   }
 }
 
-bool WorldScorer::is_on_a_wall(const Segment& found) const {
-  const auto on_one_that_runs_alike = [&](const Vector2& point) {
-    return std::ranges::any_of(walls_, [&](const Segment& wall) {
-      return length(wall) > 0.0 && smallest_relative_angle(wall, found) < parameters_.max_angle &&
-             distance(wall, point) < parameters_.max_offset;
-    });
-  };
-  // A found wall may cover several pieces of the world that lie in one line.
-  const auto steps = static_cast<int>(std::ceil(length(found) / parameters_.step));
-  for (int i = 0; i <= steps; ++i) {
-    const double share = steps > 0 ? static_cast<double>(i) / steps : 0.0;
-    if (!on_one_that_runs_alike(found.a + share * (found.b - found.a))) return false;
-  }
-  return true;
-}
-
 WorldScorer::Opening* WorldScorer::opening_at(const Segment& found) {
   for (auto& [id, opening] : openings_)
     if (opening.is_open &&
@@ -110,7 +94,7 @@ void WorldScorer::compare(const pico::truth_t& truth, const pico::map_t& message
     const Segment in_world = transform(robot_in_world, segment(map, object));
     if (object.type == ObjectType::wall) {
       ++score_.walls;
-      score_.walls_right += is_on_a_wall(in_world) ? 1 : 0;
+      score_.walls_right += is_on_a_wall(in_world, walls_, parameters_.on_a_wall) ? 1 : 0;
     } else if (object.type == ObjectType::door) {
       ++score_.doors;
       if (Opening* opening = opening_at(in_world)) {

@@ -13,13 +13,12 @@
 
 #include "common/geometry/position.hpp"
 #include "common/geometry/segment.hpp"
+#include "tools/eval/on_a_wall.hpp"
 
 namespace perceptor {
 
 struct WorldScoreParameters {
-  double max_angle = 0.087;       ///< [rad] between a found wall and the true one
-  double max_offset = 0.10;       ///< [m] of any point of a found wall from a true one
-  double step = 0.05;             ///< [m] between the points of a found wall that are tried
+  OnAWallParameters on_a_wall;
   double max_door_offset = 0.25;  ///< [m] between the middles of a found door and the true one
 };
 
@@ -60,7 +59,6 @@ class WorldScorer {
   };
 
   void compare(const pico::truth_t& truth, const pico::map_t& message);
-  bool is_on_a_wall(const Segment& found_in_world) const;
   Opening* opening_at(const Segment& found_in_world);
 
   WorldScoreParameters parameters_;

@@ -1,0 +1,149 @@
+#include "tools/eval/world_writer.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace perceptor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rounded(double value) {
+  const double millimetres = std::round(value * 1000.0);
+  return millimetres == 0.0 ? 0.0 : millimetres / 1000.0;  // no minus zero
+}
+
+Json place(const Vector2& location) {
+  return {{"x", rounded(location.x())}, {"y", rounded(location.y())}};
+}
+
+Json pose(const Position& pose) {
+  Json json = place(pose.location());
+  json["a"] = rounded(pose.a);
+  return json;
+}
+
+/// Collects points, each once: walls that meet share theirs.
+class MapFile {
+ public:
+  Json edge(const Segment& segment) { return {point(segment.a), point(segment.b)}; }
+  Json points() const { return points_; }
+
+ private:
+  std::size_t point(const Vector2& location) {
+    const auto [entry, is_new] = indices_.try_emplace(
+        std::pair{rounded(location.x()), rounded(location.y())}, points_.size());
+    if (is_new) points_.push_back(place(location));
+    return entry->second;
+  }
+
+  Json points_ = Json::array();
+  std::map<std::pair<double, double>, std::size_t> indices_;
+};
+
+Json map_of(const RandomWorld& world, std::size_t number) {
+  MapFile file;
+  Json edges = Json::array();
+  for (const Segment& wall : walls(world.rooms)) edges.push_back(file.edge(wall));
+  Json cabinets = Json::array();
+  for (const Furniture& cabinet : world.cabinets) {
+    Json outline = Json::array();
+    for (const Segment& side : sides(cabinet)) outline.push_back(file.edge(side));
+    cabinets.push_back(outline);
+  }
+  Json doors = Json::array();
+  for (const Doorway& doorway : world.rooms.doorways)
+    doors.push_back(Json::array({file.edge(doorway.face)}));
+  Json map = {{"_comment", "Random world " + std::to_string(number)},
+              {"points", file.points()},
+              {"walls", edges},
+              {"cabinets", cabinets},
+              {"doors", doors}};
+  return map;
+}
+
+Json boxes_of(const RandomWorld& world) {
+  Json boxes = Json::array();
+  for (const Furniture& furniture : world.boxes) {
+    Json box = pose(furniture.in_world);
+    box["length"] = rounded(furniture.length);
+    box["width"] = rounded(furniture.width);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+Json people_of(const RandomWorld& world) {
+  Json people = Json::array();
+  for (const Walker& walker : world.people)
+    people.push_back(
+        {{"path", {place(walker.path.a), place(walker.path.b)}}, {"speed", rounded(walker.speed)}});
+  return people;
+}
+
+Json tour_of(const RandomWorld& world) {
+  Json tour = Json::array();
+  for (const TourStop& stop : world.tour) {
+    Json point = place(stop.location);
+    if (stop.turn != 0.0) point["turn"] = rounded(stop.turn);
+    tour.push_back(point);
+  }
+  return tour;
+}
+
+Json world_of(const RandomWorld& world, const RandomWorldParameters& parameters, std::size_t number,
+              const std::string& name) {
+  constexpr double kWalkShare = 0.2;  // scatter beside the scale, as worn wheels have
+  return {{"_comment", "Random world " + std::to_string(number) + " of seed " +
+                           std::to_string(parameters.seed)},
+          {"map", "../maps/" + name + ".json"},
+          {"seed", number + 1},
+          {"start", pose(world.start_in_world)},
+          {"odometry",
+           {{"start_in_odometry", pose(world.start_in_odometry)},
+            {"slip_scale", parameters.slip},
+            {"slip_walk", rounded(kWalkShare * parameters.slip)},
+            {"slip_turn_walk", rounded(kWalkShare * parameters.slip)}}},
+          {"laser", {{"noise_sigma", parameters.sigma}, {"outliers", parameters.outliers}}},
+          {"boxes", boxes_of(world)},
+          {"people", people_of(world)},
+          {"tour", tour_of(world)}};
+}
+
+/// Each key on a line, each item of a list too.
+void write(const Json& document, const std::filesystem::path& file) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream out(file);
+  out << "{\n";
+  std::size_t left = document.size();
+  for (const auto& [key, value] : document.items()) {
+    out << "  " << Json(key).dump() << ": ";
+    if (value.is_array() && !value.empty()) {
+      const char* before = "[\n    ";
+      for (const Json& item : value) out << std::exchange(before, ",\n    ") << item.dump();
+      out << "\n  ]";
+    } else {
+      out << value.dump();
+    }
+    out << (--left > 0 ? ",\n" : "\n");
+  }
+  out << "}\n";
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace
+
+void write_random_world(const RandomWorld& world, const RandomWorldParameters& parameters,
+                        std::size_t number, const std::filesystem::path& folder,
+                        const std::string& name) {
+  write(map_of(world, number), folder / "maps" / (name + ".json"));
+  write(world_of(world, parameters, number, name), folder / "worlds" / (name + ".json"));
+}
+
+}  // namespace perceptor
