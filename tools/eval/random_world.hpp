@@ -31,6 +31,8 @@ struct Furniture {
   double width = 0.4;
 };
 
+inline constexpr double kWaitsWithin = 0.6;  ///< [m] a person stands still for a robot ahead
+
 struct Walker {
   Segment path;        ///< [m] world frame, walked there and back
   double speed = 0.7;  ///< [m/s]

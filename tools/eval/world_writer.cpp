@@ -81,8 +81,9 @@ Json boxes_of(const RandomWorld& world) {
 Json people_of(const RandomWorld& world) {
   Json people = Json::array();
   for (const Walker& walker : world.people)
-    people.push_back(
-        {{"path", {place(walker.path.a), place(walker.path.b)}}, {"speed", rounded(walker.speed)}});
+    people.push_back({{"path", {place(walker.path.a), place(walker.path.b)}},
+                      {"speed", rounded(walker.speed)},
+                      {"waits_within", kWaitsWithin}});
   return people;
 }
 
