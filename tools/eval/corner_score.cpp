@@ -47,8 +47,11 @@ double CornerScore::rms() const {
   return right.part > 0 ? std::sqrt(squared_error / static_cast<double>(right.part)) : 0.0;
 }
 
-void score_corners(const Map& map, const TrueWorld& world, const SeenSides& seen,
-                   const CornerScoreParameters& parameters, CornerScore& score) {
+std::vector<WrongCorner> score_corners(const Map& map, const TrueWorld& world,
+                                       const SeenSides& seen,
+                                       const CornerScoreParameters& parameters,
+                                       CornerScore& score) {
+  std::vector<WrongCorner> wrong;
   for (std::size_t i = 0; i < map.points.size(); ++i) {
     const Point& point = map.points[i];
     const bool is_typed =
@@ -59,11 +62,17 @@ void score_corners(const Map& map, const TrueWorld& world, const SeenSides& seen
     const Vector2 location = 0.5 * (point.location + partner.location);
     const TrueCorner* corner = nearest_corner(location, world, seen, parameters.max_offset);
     score.right += {corner != nullptr ? 1 : 0, 1};
-    if (corner == nullptr) continue;
+    if (corner == nullptr) {
+      wrong.push_back({location, CornerFault::none_there});
+      continue;
+    }
     score.squared_error += (location - corner->location).squaredNorm();
-    if (const auto type = true_type(*corner, world, seen))
-      score.confused += {*type != point.property ? 1 : 0, 1};
+    const auto type = true_type(*corner, world, seen);
+    if (!type) continue;
+    score.confused += {*type != point.property ? 1 : 0, 1};
+    if (*type != point.property) wrong.push_back({location, CornerFault::wrong_type});
   }
+  return wrong;
 }
 
 }  // namespace perceptor

@@ -1,7 +1,7 @@
 /// @file Corners of a map against the true ones.
 #pragma once
 
-#include <cstdint>
+#include <vector>
 
 #include "common/model/map.hpp"
 #include "tools/eval/explained_beams.hpp"
@@ -23,9 +23,18 @@ struct CornerScore {
   double rms() const;  ///< [m]; 0 where there are none
 };
 
-/// Of each corner that is convex or concave and joins two walls, counted once. `map` in the world
-/// frame. A true corner's type follows from the side that its walls were seen from.
-void score_corners(const Map& map, const TrueWorld& world, const SeenSides& seen,
-                   const CornerScoreParameters& parameters, CornerScore& score);
+enum class CornerFault { none_there, wrong_type };
+
+struct WrongCorner {
+  Vector2 location = Vector2::Zero();  ///< [m] world frame
+  CornerFault fault = CornerFault::none_there;
+};
+
+/// Gives those that are wrong. Of each corner that is convex or concave and joins two walls,
+/// counted once. `map` in the world frame. A true corner's type follows from the side that its
+/// walls were seen from.
+std::vector<WrongCorner> score_corners(const Map& map, const TrueWorld& world,
+                                       const SeenSides& seen,
+                                       const CornerScoreParameters& parameters, CornerScore& score);
 
 }  // namespace perceptor

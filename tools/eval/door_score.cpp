@@ -106,9 +106,8 @@ std::vector<const TrueOpening*> DoorScorer::take_doors(std::int64_t utime, const
 void DoorScorer::add(const Seen& seen, DoorScore& score) const {
   if (seen.since == 0 || seen.time_in_reach <= parameters_.min_time) return;
   score.found += {seen.found != 0 ? 1 : 0, 1};
-  // One found before all of it was seen did not have to be waited for.
-  if (seen.found != 0)
-    score.delays.push_back(std::max(0.0, seconds_between(seen.since, seen.found)));
+  // One found from farther away, or by less, has not been waited for.
+  if (seen.found > seen.since) score.delays.push_back(seconds_between(seen.since, seen.found));
 }
 
 DoorScore DoorScorer::score() const {

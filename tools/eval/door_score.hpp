@@ -30,7 +30,8 @@ struct DoorScore {
   Share right;                 ///< of the doors published
   Share standing;              ///< of the openings that have to be published, over the maps
   Share found;                 ///< of the openings that have to be, published at least once
-  std::vector<double> delays;  ///< [s] of those found, from the scan that first showed all of it
+  std::vector<double> delays;  ///< [s] of those found later than the scan that first showed all of
+                               ///< it: from then on
 };
 
 class DoorScorer {

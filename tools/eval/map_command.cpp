@@ -149,7 +149,7 @@ Command add_map_command(CLI::App& app) {
       "  found    openings of 0.5 to 1.5 m within 3 m for 1 s, published at least once\n"
       "  standing the same over the maps: published in this one\n"
       "  delay    from the first scan with both jambs and 10 beams on 0.3 m of both walls, to\n"
-      "           the first map with the door\n"
+      "           the first map with the door; those found from farther away have none\n"
       "Twenty random worlds, from nothing to a table:\n"
       "  pico-eval worlds out --worlds 20 --seed 1\n"
       "  for w in out/worlds/*.json; do\n"

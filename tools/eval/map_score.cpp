@@ -184,7 +184,10 @@ void MapScorer::score_identified(const pico::map_t& message, const Position& rob
   const Vector2 robot = robot_in_world.location();
   const auto missing = doors_.take_doors(message.utime, world_, doors, robot, is_counted);
   if (!is_counted) return;
-  score_corners(map, world_, seen_, parameters_.corners, score_.corners);
+  for (const WrongCorner& wrong :
+       score_corners(map, world_, seen_, parameters_.corners, score_.corners))
+    tell(message.utime, wrong.fault == CornerFault::none_there ? "no such corner" : "corner's type",
+         {wrong.location, wrong.location}, "");
   for (const TrueOpening* opening : missing)
     tell(message.utime, "door missed", opening->faces.front().segment, "");
   for (const Segment& door : doors)

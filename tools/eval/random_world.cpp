@@ -101,7 +101,7 @@ class Furnisher {
   void add_person() {
     constexpr double kRoomToWalk = 0.35;  // [m] to walls and furniture
     const auto is_off_the_way = [&](const Vector2& end) {
-      return separation({{end, end}}, way_) > kWaitsWithin + 0.1;
+      return separation({{end, end}}, way_) > kGivesWayWithin + 0.05;
     };
     for (int i = 0; i < 5 * kTries; ++i) {
       const auto last = static_cast<int>(world_.rooms.rooms.size()) - 1;
@@ -112,7 +112,7 @@ class Furnisher {
           contains(outline(room), path.a) && separation({path}, walls_) > kRoomToWalk;
       const bool is_free = separation({path}, taken_) > kRoomToWalk &&
                            distance(path.a, world_.start_in_world.location()) > 1.3;
-      // One who waits for the robot where the path ends never turns back.
+      // See kWaitsWithin.
       const bool can_turn_back = is_off_the_way(path.a) && is_off_the_way(path.b);
       if (!is_inside || !is_free || !can_turn_back || length(path) < 1.0) continue;
       world_.people.push_back({path, uniform(random_, 0.4, 0.9)});

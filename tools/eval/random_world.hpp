@@ -31,7 +31,10 @@ struct Furniture {
   double width = 0.4;
 };
 
-inline constexpr double kWaitsWithin = 0.6;  ///< [m] a person stands still for a robot ahead
+/// [m] A person stands still for a robot that is nearer, and the robot for a person. Where a
+/// person's way ends neither may be: they would wait for each other for ever.
+inline constexpr double kWaitsWithin = 0.6;
+inline constexpr double kGivesWayWithin = 0.65;
 
 struct Walker {
   Segment path;        ///< [m] world frame, walked there and back

@@ -113,6 +113,7 @@ Json world_of(const RandomWorld& world, const RandomWorldParameters& parameters,
           {"laser", {{"noise_sigma", parameters.sigma}, {"outliers", parameters.outliers}}},
           {"boxes", boxes_of(world)},
           {"people", people_of(world)},
+          {"driver", {{"gives_way_within", kGivesWayWithin}}},
           {"tour", tour_of(world)}};
 }
 
