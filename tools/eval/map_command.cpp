@@ -153,7 +153,7 @@ Command add_map_command(CLI::App& app) {
       "Twenty random worlds, from nothing to a table:\n"
       "  pico-eval worlds out --worlds 20 --seed 1\n"
       "  for w in out/worlds/*.json; do\n"
-      "    pico-bridge --world $w --speed 0 --duration 100 \\\n"
+      "    pico-bridge --world $w --speed 0 --duration 120 \\\n"
       "      --lcm-url \"file://${w%.json}.sim?mode=w\"\n"
       "    pico-replay ${w%.json}.sim ${w%.json}.lcmlog\n"
       "  done\n"

@@ -64,7 +64,7 @@ Command add_worlds_command(CLI::App& app) {
       "Each world, simulated, perceived and scored:\n"
       "  pico-eval worlds out\n"
       "  for w in out/worlds/*.json; do\n"
-      "    pico-bridge --world $w --speed 0 --duration 100 "
+      "    pico-bridge --world $w --speed 0 --duration 120 "
       "--lcm-url \"file://${w%.json}.sim?mode=w\"\n"
       "    pico-replay ${w%.json}.sim ${w%.json}.lcmlog\n"
       "  done\n"
