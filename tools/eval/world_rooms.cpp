@@ -4,24 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
+
+#include "tools/eval/wall_line.hpp"
+#include "tools/eval/world_doorways.hpp"
 
 namespace perceptor {
 namespace {
-
-/// The middle of a wall, without end.
-struct WallLine {
-  Vector2 point = Vector2::Zero();
-  Vector2 direction = Vector2::UnitX();
-  double thickness = 0.0;  ///< [m]
-
-  /// On the wall's middle, `along` [m] from its point, `aside` [m] to the left.
-  Vector2 at(double along, double aside) const {
-    return point + along * direction + aside * perpendicular(direction);
-  }
-  double along(const Vector2& p) const { return (p - point).dot(direction); }
-};
 
 Vector2 meeting_point(const WallLine& s, double s_aside, const WallLine& t, double t_aside) {
   const Vector2 from = s.at(0.0, s_aside);
@@ -38,7 +27,7 @@ class Builder {
     add_rows();
     const std::size_t rooms = rooms_.rooms.size();
     if (rooms < parameters_.min_rooms || rooms > parameters_.max_rooms) return std::nullopt;
-    if (!add_doorways()) return std::nullopt;
+    if (!add_doorways(rooms_, lines_, parameters_, random_)) return std::nullopt;
     turn();
     return std::move(rooms_);
   }
@@ -129,69 +118,6 @@ class Builder {
 
   double chamfer() { return uniform(random_, parameters_.min_chamfer, parameters_.max_chamfer); }
 
-  /// Where two rooms share a wall, and a doorway fits.
-  struct Place {
-    std::size_t room;
-    std::size_t other_room;
-    int line;
-    double from;  ///< [m] along the line
-    double to;    ///< [m]
-  };
-
-  std::pair<double, double> interval(const RoomSide& side) const {
-    return std::minmax(
-        {line(side.line).along(side.segment.a), line(side.line).along(side.segment.b)});
-  }
-
-  std::vector<Place> places() const {
-    std::vector<Place> found;
-    for (std::size_t a = 0; a < rooms_.rooms.size(); ++a)
-      for (std::size_t b = a + 1; b < rooms_.rooms.size(); ++b)
-        for (const RoomSide& s : rooms_.rooms[a].sides)
-          for (const RoomSide& t : rooms_.rooms[b].sides) {
-            if (s.line < 0 || s.line != t.line) continue;
-            const auto [s_from, s_to] = interval(s);
-            const auto [t_from, t_to] = interval(t);
-            const double from = std::max(s_from, t_from) + parameters_.door_margin;
-            const double to = std::min(s_to, t_to) - parameters_.door_margin;
-            if (to - from > parameters_.min_door) found.push_back({a, b, s.line, from, to});
-          }
-    return found;
-  }
-
-  bool add_doorways() {
-    std::vector<Place> free = places();
-    for (std::size_t i = free.size(); i > 1; --i)
-      std::swap(free[i - 1],
-                free[static_cast<std::size_t>(uniform_int(random_, 0, static_cast<int>(i) - 1))]);
-    std::vector<std::size_t> group(rooms_.rooms.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    for (const Place& place : free) {
-      const std::size_t joined = group[place.room];
-      const std::size_t other = group[place.other_room];
-      const bool is_wide_enough = place.to - place.from > parameters_.min_driven_door;
-      if (joined != other && is_wide_enough) {
-        std::ranges::replace(group, other, joined);
-        add_doorway(place, parameters_.min_driven_door, parameters_.max_door, true);
-      } else if (happens(random_, parameters_.extra_doors)) {
-        add_doorway(place, parameters_.min_door, parameters_.max_extra_door, false);
-      }
-    }
-    return std::ranges::all_of(group, [&](std::size_t g) { return g == group.front(); });
-  }
-
-  void add_doorway(const Place& place, double min_width, double max_width, bool is_driven) {
-    const double width = uniform(random_, min_width, std::min(max_width, place.to - place.from));
-    const double from = uniform(random_, place.from, place.to - width);
-    const WallLine& wall = line(place.line);
-    const double aside = std::copysign(
-        0.5 * wall.thickness, cross(wall.direction, centre(rooms_.rooms[place.room]) - wall.point));
-    const auto face = [&](double offset) {
-      return Segment{wall.at(from, offset), wall.at(from + width, offset)};
-    };
-    rooms_.doorways.push_back({place.room, place.other_room, face(aside), face(-aside), is_driven});
-  }
-
   void turn() {
     if (!happens(random_, parameters_.turned)) return;
     const Position turned{0.0, 0.0, uniform(random_, -std::numbers::pi, std::numbers::pi)};
@@ -209,52 +135,11 @@ class Builder {
   WorldRooms rooms_;
 };
 
-/// The pieces of a room's side that are left beside the doorways in it.
-void append_pieces(const Segment& side, std::vector<std::array<double, 2>> gaps,
-                   std::vector<Segment>& pieces) {
-  std::ranges::sort(gaps);
-  const Vector2 along = direction(side);
-  double from = 0.0;
-  for (const auto& [gap_from, gap_to] : gaps) {
-    pieces.push_back({side.a + from * along, side.a + gap_from * along});
-    from = gap_to;
-  }
-  pieces.push_back({side.a + from * along, side.b});
-}
-
-bool lies_on(const Segment& face, const Segment& side) {
-  constexpr double kOnIt = 1e-6;  // [m]
-  return distance(side, face.a) < kOnIt && distance(side, face.b) < kOnIt;
-}
-
 }  // namespace
 
 std::optional<WorldRooms> draw_world_rooms(const WorldRoomParameters& parameters,
                                            RoomRandom& random) {
   return Builder(parameters, random).build();
-}
-
-Vector2 centre(const WorldRoom& room) {
-  Vector2 sum = Vector2::Zero();
-  for (const RoomSide& side : room.sides) sum += side.segment.a;
-  return sum / static_cast<double>(room.sides.size());
-}
-
-std::vector<Segment> walls(const WorldRooms& rooms) {
-  std::vector<Segment> pieces;
-  for (const WorldRoom& room : rooms.rooms)
-    for (const RoomSide& side : room.sides) {
-      std::vector<std::array<double, 2>> gaps;
-      for (const Doorway& doorway : rooms.doorways)
-        for (const Segment& face : {doorway.face, doorway.other_face})
-          if (lies_on(face, side.segment)) gaps.push_back(projected_interval(side.segment, face));
-      append_pieces(side.segment, gaps, pieces);
-    }
-  for (const Doorway& doorway : rooms.doorways) {
-    pieces.push_back({doorway.face.a, doorway.other_face.a});
-    pieces.push_back({doorway.face.b, doorway.other_face.b});
-  }
-  return pieces;
 }
 
 }  // namespace perceptor
