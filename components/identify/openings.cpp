@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "components/identify/candidates.hpp"
+#include "components/identify/crossing.hpp"
 
 namespace perceptor::identify {
 namespace {
@@ -22,13 +23,6 @@ auto rank(const Candidate& c) {
   const Opening& o = c.opening;
   return std::tuple(!is_door(c), -o.confidence, c.width, o.first.location.x(), o.first.location.y(),
                     o.second.location.x(), o.second.location.y());
-}
-
-bool cross_each_other(const Segment& s, const Segment& t) {
-  const auto separates = [](const Segment& line, const Segment& other) {
-    return signed_distance(line, other.a) * signed_distance(line, other.b) < 0.0;
-  };
-  return separates(s, t) && separates(t, s);
 }
 
 /// The walls of each are within max_angle of it, so two openings of one wall differ by up to

@@ -46,6 +46,10 @@ inline bool is_out_of_reach(const Wall& wall, const Vector2& place, double reach
   return (wall.middle - place).squaredNorm() > limit * limit;
 }
 
+inline Segment segment_of(const Wall& wall) {
+  return {wall.ends[0].location, wall.ends[1].location};
+}
+
 inline const WallEnd& end_of(const std::vector<Wall>& walls, const EndHandle& handle) {
   return walls[handle.wall].ends[handle.end];
 }
