@@ -60,6 +60,13 @@ inline Map doorway(double width) {
   return map;
 }
 
+/// A room of 6 x 4 m around the robot, with a doorway of 0.9 m in its upper wall, y = 2.
+inline Map room_with_doorway() {
+  Map map;
+  draw(map, {{-0.45, 2.2}, {-0.45, 2}, {-3, 2}, {-3, -2}, {3, -2}, {3, 2}, {0.45, 2}, {0.45, 2.2}});
+  return map;
+}
+
 /// Two loose walls along y = 2, free towards the robot, with `width` between them around x = 0:
 /// the right one is drawn first, and ends at its head; the left one begins at its tail.
 inline Map loose_walls(double width) {
