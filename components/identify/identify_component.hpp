@@ -1,35 +1,31 @@
 /// @file Names what the local map shows: convex and concave corners, doors and possible doors;
-/// one IDENTIFIED_MAP for each LOCAL_MAP.
+/// and says which door is the way out, and whether the robot is in a hallway.
 ///
 /// in:  LOCAL_MAP
-/// out: IDENTIFIED_MAP
+/// out: IDENTIFIED_MAP, and then ENTRANCE, one of each for each LOCAL_MAP
+///
+/// An entrance is the median of the last maps. That memory begins anew when LOCAL_MAP does or
+/// when its zero frame is another.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
+#include <pico/entrance_t.hpp>
 #include <pico/map_t.hpp>
 
 #include "common/bus/bus.hpp"
-#include "common/config/fields.hpp"
-#include "components/identify/identify.hpp"
+#include "components/identify/entrance_tracker.hpp"
+#include "components/identify/identify_config.hpp"
 
 namespace perceptor {
-
-namespace identify {
-void describe(config::Fields& fields, ConfidenceParameters& parameters);
-}  // namespace identify
-
-struct IdentifyConfig {
-  identify::IdentifyParameters identify;
-};
-
-void describe(config::Fields& fields, IdentifyConfig& config);
 
 class IdentifyComponent {
  public:
   static constexpr std::string_view kName = "identify";
   static constexpr std::string_view kSummary =
-      "names the local map's corners, convex or concave, and its doors and possible doors";
+      "names the local map's corners, doors and possible doors, the way out, and a hallway";
   using Config = IdentifyConfig;
 
   /// The bus must outlive the component.
@@ -37,9 +33,12 @@ class IdentifyComponent {
 
  private:
   void take(const pico::map_t& local_map);
+  pico::entrance_t entrance_of(const pico::map_t& local_map, const Map& identified);
 
   Bus& bus_;
-  identify::IdentifyParameters parameters_;
+  IdentifyConfig config_;
+  identify::EntranceTracker entrances_;
+  std::optional<std::int64_t> zero_utime_;
 };
 
 }  // namespace perceptor

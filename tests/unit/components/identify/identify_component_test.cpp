@@ -1,5 +1,6 @@
 #include "components/identify/identify_component.hpp"
 
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,12 +14,14 @@ namespace {
 
 using identify::test::doorway;
 using identify::test::draw;
+using identify::test::room_with_doorway;
 
 /// The component between two ends of a bus inside this process.
 class IdentifyComponentTest : public testing::Test {
  protected:
   IdentifyComponentTest() {
     lcm_.subscribe(channel::identified_map, &IdentifyComponentTest::keep, this);
+    lcm_.subscribe(channel::entrance, &IdentifyComponentTest::keep_entrance, this);
   }
 
   /// What comes out for one local map.
@@ -28,6 +31,25 @@ class IdentifyComponentTest : public testing::Test {
     while (lcm_.handleTimeout(0) > 0) {
     }
     return received_;
+  }
+
+  /// The entrance that comes out, after the map of the same scan.
+  pico::entrance_t entrance_of(const pico::map_t& local_map) {
+    entrances_.clear();
+    EXPECT_EQ(identified(local_map).size(), 1U);
+    EXPECT_EQ(entrances_.size(), 1U);
+    return entrances_.empty() ? pico::entrance_t{} : entrances_.back();
+  }
+
+  /// That of the last of many scans of one map, from `first_seq` on.
+  pico::entrance_t entrance_after(int scans, pico::map_t map, std::int64_t first_seq = 1) {
+    pico::entrance_t entrance{};
+    for (int i = 0; i < scans; ++i) {
+      map.seq = first_seq + i;
+      map.utime = 1'000'000 + 25'000 * map.seq;
+      entrance = entrance_of(map);
+    }
+    return entrance;
   }
 
   static pico::map_t local_map(const Map& map, std::int64_t seq = 1) {
@@ -49,13 +71,21 @@ class IdentifyComponentTest : public testing::Test {
             const pico::map_t* map) {
     received_.push_back(*map);
   }
+  void keep_entrance(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
+                     const pico::entrance_t* entrance) {
+    EXPECT_EQ(received_.size(), 1U) << "the map comes first";
+    entrances_.push_back(*entrance);
+  }
 
   lcm::LCM lcm_{"memq://"};
   Status status_{"identify", 1};
   Bus bus_{lcm_, lcm_, status_};
   IdentifyComponent component_{IdentifyConfig{}, bus_};
   std::vector<pico::map_t> received_;
+  std::vector<pico::entrance_t> entrances_;
 };
+
+constexpr int kEnough = 9;  // 60 % of 15 scans
 
 TEST_F(IdentifyComponentTest, PublishesTheLocalMapWithItsHeaderAndItsDoor) {
   const pico::map_t in = local_map(doorway(0.9));
@@ -76,6 +106,58 @@ TEST_F(IdentifyComponentTest, PublishesTheLocalMapWithItsHeaderAndItsDoor) {
   ASSERT_EQ(map.num_points, in.num_points + 2);
   EXPECT_EQ(map.objects.back().type, pico::map_object_t::DOOR);
   EXPECT_EQ(map.points[1].property, pico::map_point_t::CONVEX);
+}
+
+TEST_F(IdentifyComponentTest, PublishesTheEntranceInTheRobotFrameAfterEnoughScans) {
+  const pico::map_t map = local_map(room_with_doorway());
+  const pico::entrance_t early = entrance_after(kEnough - 1, map);
+  EXPECT_FALSE(early.entrance_found);
+  EXPECT_EQ(early.width, 0.0);
+  const pico::entrance_t entrance = entrance_after(1, map, kEnough);
+  EXPECT_EQ(messages::validate(entrance), "");
+  EXPECT_EQ(entrance.utime, 1'000'000 + 25'000 * kEnough);
+  EXPECT_EQ(entrance.session, map.session);
+  EXPECT_EQ(entrance.seq, kEnough);
+  ASSERT_TRUE(entrance.entrance_found);
+  EXPECT_NEAR(entrance.middle_x, 0.0, 1e-9);
+  EXPECT_NEAR(entrance.middle_y, 2.0, 1e-9);
+  EXPECT_NEAR(entrance.direction, 0.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(entrance.width, 0.9, 1e-9);
+  EXPECT_NEAR(entrance.confidence, 1.0, 1e-9);
+  EXPECT_FALSE(entrance.in_hallway);
+}
+
+TEST_F(IdentifyComponentTest, EntranceBeginsAnewWithTheMap) {
+  pico::map_t map = local_map(room_with_doorway());
+  ASSERT_TRUE(entrance_after(2 * kEnough, map).entrance_found);
+  map.zero_utime += 1;
+  EXPECT_FALSE(entrance_after(kEnough - 1, map, 100).entrance_found) << "another zero frame";
+  EXPECT_TRUE(entrance_after(1, map, 100 + kEnough).entrance_found);
+  map.session += 1;
+  EXPECT_FALSE(entrance_after(kEnough - 1, map, 200).entrance_found) << "another session";
+  EXPECT_TRUE(entrance_after(1, map, 200 + kEnough).entrance_found);
+  EXPECT_FALSE(entrance_after(kEnough - 1, map, 1).entrance_found) << "time stepped back";
+}
+
+TEST_F(IdentifyComponentTest, MapInPartsHasNoEntrance) {
+  pico::map_t map = local_map(room_with_doorway());
+  ASSERT_TRUE(entrance_after(kEnough, map).entrance_found);
+  map.parts = 2;
+  EXPECT_FALSE(entrance_after(1, map, 50).entrance_found);
+}
+
+TEST_F(IdentifyComponentTest, PublishesTheHallwayAtOnce) {
+  Map map;
+  draw(map, {{3, 0.6}, {-2, 0.6}});
+  draw(map, {{-2, -0.6}, {3, -0.6}});
+  const pico::entrance_t entrance = entrance_of(local_map(map));
+  EXPECT_FALSE(entrance.entrance_found);
+  ASSERT_TRUE(entrance.in_hallway);
+  EXPECT_NEAR(entrance.centre_x1, -2.0, 1e-9);
+  EXPECT_NEAR(entrance.centre_y1, 0.0, 1e-9);
+  EXPECT_NEAR(entrance.centre_x2, 3.0, 1e-9);
+  EXPECT_NEAR(entrance.centre_y2, 0.0, 1e-9);
+  EXPECT_NEAR(entrance.hallway_width, 1.2, 1e-9);
 }
 
 TEST_F(IdentifyComponentTest, EveryMapGivesOneMap) {
@@ -125,6 +207,19 @@ TEST(IdentifyConfiguration, DescribesWhatIsInTheParameters) {
       config::print([&config](config::Fields& fields) { describe(fields, config); });
   EXPECT_NE(text.find("\"door_min_width\": 0.6"), std::string::npos);
   EXPECT_NE(text.find("\"usual_width\""), std::string::npos);
+}
+
+TEST(IdentifyConfiguration, FileHoldsTheDefaults) {
+  IdentifyConfig defaults;
+  IdentifyConfig read;
+  read.entrance.scans = 1;
+  read.hallway.reach = 1.0;
+  config::load_file(PERCEPTOR_CONFIG_FILE,
+                    [&read](config::Fields& fields) { describe(fields, read); });
+  const auto text = [](IdentifyConfig& config) {
+    return config::print([&config](config::Fields& fields) { describe(fields, config); });
+  };
+  EXPECT_EQ(text(read), text(defaults));
 }
 
 }  // namespace
