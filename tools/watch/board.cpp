@@ -87,6 +87,19 @@ std::string map_line(const Map& map) {
       static_cast<long long>(objects(ObjectType::possible_door)));
 }
 
+std::string entrance_line(const pico::entrance_t& entrance) {
+  std::string line = "entrance  none found";
+  if (entrance.entrance_found != 0) {
+    line = format("entrance  %.2f m at %.0f deg, %.2f m wide",
+                  std::hypot(entrance.middle_x, entrance.middle_y),
+                  std::atan2(entrance.middle_y, entrance.middle_x) * 180.0 / std::numbers::pi,
+                  entrance.width);
+  }
+  if (entrance.in_hallway != 0)
+    line += format("; in a hallway %.2f m wide", entrance.hallway_width);
+  return line;
+}
+
 std::string nearest_line(const pico::proximity_t& proximity) {
   if (!std::isfinite(proximity.nearest_distance)) return "nearest   nothing seen";
   const bool too_close = std::ranges::any_of(proximity.too_close, [](auto b) { return b != 0; });
@@ -111,6 +124,7 @@ std::vector<std::string> Board::lines() const {
   std::vector<std::string> lines;
   for (const Seen* seen : order) lines.push_back(component_line(seen->now, seen->before));
   if (map_) lines.push_back(map_line(to_model(*map_)));
+  if (entrance_) lines.push_back(entrance_line(*entrance_));
   if (proximity_) lines.push_back(nearest_line(*proximity_));
   return lines;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <pico/entrance_t.hpp>
 #include <pico/map_t.hpp>
 #include <pico/proximity_t.hpp>
 #include <pico/status_t.hpp>
@@ -17,9 +18,10 @@ class Board {
  public:
   void take(const pico::status_t& status);
   void take(const pico::map_t& identified_map) { map_ = identified_map; }
+  void take(const pico::entrance_t& entrance) { entrance_ = entrance; }
   void take(const pico::proximity_t& proximity) { proximity_ = proximity; }
 
-  /// One line for each component in the order of the data flow, and two for the map. Rates are
+  /// One line for each component in the order of the data flow, and three for the map. Rates are
   /// those between a component's last two STATUS messages.
   std::vector<std::string> lines() const;
 
@@ -32,6 +34,7 @@ class Board {
   };
   std::map<std::string, Seen> seen_;
   std::optional<pico::map_t> map_;
+  std::optional<pico::entrance_t> entrance_;
   std::optional<pico::proximity_t> proximity_;
 };
 
