@@ -85,9 +85,10 @@ TEST(Determinism, LivePlayedAgainAndReplayedAreEqualByteForByte) {
   const fs::path log = scratch / "live.lcmlog";
   const Payloads live =
       computed_live(log, {program("pico-bridge"), "--world", "hospital", "--duration", kDriven});
-  ASSERT_EQ(live.size(), 5U) << "channels";
+  ASSERT_EQ(live.size(), 6U) << "channels";
   EXPECT_GT(live.at("POSITION").size(), 500U);
   EXPECT_GT(live.at("IDENTIFIED_MAP").size(), 400U);
+  EXPECT_EQ(live.at("ENTRANCE").size(), live.at("IDENTIFIED_MAP").size());
 
   for (const std::string speed : {"1", "4"})
     expect_equal(live,

@@ -146,7 +146,7 @@ Payloads computed_payloads(const fs::path& log) {
   LogReader reader(log);
   while (const auto event = reader.next()) {
     for (const char* channel : {channel::position, channel::proximity, channel::current_map,
-                                channel::local_map, channel::identified_map})
+                                channel::local_map, channel::identified_map, channel::entrance})
       if (event->channel == channel) payloads[channel].push_back(event->data);
   }
   return payloads;

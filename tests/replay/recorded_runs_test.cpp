@@ -142,6 +142,7 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
             current_maps.size());
   EXPECT_EQ(heard.seqs[channel::local_map], current_maps);
   EXPECT_EQ(heard.seqs[channel::identified_map], current_maps);
+  EXPECT_EQ(heard.messages[channel::entrance], maps);
 
   const Finished replayed = run(replay);
   ASSERT_EQ(replayed.exit_code, 0) << replayed.output;
