@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include "components/scan/cuts.hpp"
+
 namespace perceptor::scan {
 namespace {
 
@@ -42,6 +44,22 @@ PointProperty property_of_turn(const Vector2& before, const Vector2& after) {
   return cross(before, after) > 0.0 ? PointProperty::concave : PointProperty::convex;
 }
 
+PolarLine polar_line(const Line& line, const Vector2& laser) {
+  const Vector2 place = -line.normal / offset(line, laser);
+  return {.a = place.x(), .b = place.y()};
+}
+
+/// Where the cut would be if the walls met at a place.
+std::size_t first_beam_beyond(const Vector2& place, const Cut& cut, const Beams& beams) {
+  const Vector2 from_laser = place - beams.laser;
+  const auto is_beyond = [&](std::size_t i) { return !(cross(beams.end(i), from_laser) > 0.0); };
+  const std::size_t end = std::min(cut.after.end, beams.is_circle ? 2 * beams.count : beams.count);
+  std::size_t i = cut.next();
+  while (i > cut.before.begin && is_beyond(i - 1)) --i;
+  while (i < end && !is_beyond(i)) ++i;
+  return i;
+}
+
 /// Where the walls on both sides of the cut meet, close to the end of both.
 std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
                                     const ScanParameters& parameters) {
@@ -60,8 +78,14 @@ std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
   if (!is_within_reach(first, first.last, first.last_beam) ||
       !is_within_reach(second, second.first, second.first_beam))
     return std::nullopt;
+  const WallEnd end = {.location = place,
+                       .covariance = intersection_covariance(first, second, place)};
+  if (pass_by(polar_line(first.line, beams.laser), polar_line(second.line, beams.laser),
+              first_beam_beyond(place, cut, beams), cut.next(),
+              std::max(first.excess, second.excess), beams))
+    return std::nullopt;
   return Corner{
-      .place = {.location = place, .covariance = intersection_covariance(first, second, place)},
+      .place = end,
       .method = CornerMethod::intersection,
       .property = property_of_turn(first.line.direction, second.line.direction),
       .beam = cut.next()};
@@ -104,9 +128,11 @@ std::optional<Corner> spike(const Cut& cut, const Beams& beams, const ScanParame
   return corner;
 }
 
-/// Where the direction turns from one run to the next that follows it.
+/// Where the direction turns from one run to the next that follows it, one of which is no wall:
+/// two walls meet at their lines' crossing or not at all.
 std::optional<Corner> vector_corner(const Cut& cut, const Beams& beams,
                                     const ScanParameters& parameters) {
+  if (cut.wall_before != nullptr && cut.wall_after != nullptr) return std::nullopt;
   const bool has_beams =
       has_beams_for_corner(cut.before, parameters) && has_beams_for_corner(cut.after, parameters);
   if (!has_beams || !follows(beams, cut.before, cut.after)) return std::nullopt;

@@ -14,6 +14,12 @@ constexpr double kWindow = 0.15;
 /// The same in sigmas of the range: the larger of the two.
 constexpr double kWindowSigmas = 18.0;
 
+/// Squared distances, in variances, that the beams at a crossing may add up to more than at the
+/// best cut.
+constexpr double kDoubt = 16.0;
+/// What one of them counts at most, so that no outlier decides.
+constexpr double kMostDoubt = 9.0;
+
 /// How many of its solid beams a run may give away: less than half, so that it keeps enough even
 /// if both its ends move.
 std::size_t spare(std::size_t solid) {
@@ -50,13 +56,27 @@ std::optional<std::size_t> crossing(const PolarLine& before, const PolarLine& af
   return cut;
 }
 
+/// Squared distance of a beam from a line, in variances of its range.
+double misfit_of(const Beams& beams, std::size_t i, const PolarLine& line) {
+  const double off = line.a * beams.x[i] + line.b * beams.y[i] - 1.0;
+  return beams.weight[i] * off * off;
+}
+
+/// By how much the beams of a run scatter more than their noise says: not all are of one wall, or
+/// the wall is not straight.
+double excess_of(const Moments& moments) {
+  return std::max(1.0, misfit(moments, 0.0).chi_square / std::max(1.0, moments.beams - 2.0));
+}
+
 /// Where the cut between two runs belongs; none where it has to stay.
 std::optional<std::size_t> best_cut(const Run& before, const Run& after, const PolarLine& line,
                                     const PolarLine& next_line, const Beams& beams) {
   if (!adjoin(beams, before, after)) return std::nullopt;
   const Window window = window_around(before, after, beams);
-  if (const auto cut = crossing(line, next_line, window, beams)) return cut;
-  return best_fit(line, next_line, window, beams);
+  const std::size_t fitting = best_fit(line, next_line, window, beams);
+  const auto cut = crossing(line, next_line, window, beams);
+  const double excess = std::max(excess_of(before.moments), excess_of(after.moments));
+  return cut && !pass_by(line, next_line, *cut, fitting, excess, beams) ? *cut : fitting;
 }
 
 void move_cut(Run& before, Run& after, std::size_t cut, const PrefixMoments& sums) {
@@ -91,17 +111,24 @@ void place_all(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory) {
 
 }  // namespace
 
+bool pass_by(const PolarLine& before, const PolarLine& after, std::size_t crossing,
+             std::size_t fitting, double excess, const Beams& beams) {
+  const auto [first, last] = std::minmax(crossing, fitting);
+  const double most = kMostDoubt * excess;
+  double sum = 0.0;
+  for (std::size_t i = first; i < last; ++i)
+    sum += std::clamp(misfit_of(beams, i, before) - misfit_of(beams, i, after), -most,
+                      most);
+  return (crossing > fitting ? sum : -sum) > kDoubt * excess;
+}
+
 std::size_t best_fit(const PolarLine& before, const PolarLine& after, const Window& window,
                      const Beams& beams) {
-  const auto squared = [&beams](const PolarLine& line, std::size_t i) {
-    const double off = line.a * beams.x[i] + line.b * beams.y[i] - 1.0;
-    return beams.weight[i] * off * off;
-  };
   std::size_t best = window.first;
   double least = 0.0;
   double sum = 0.0;
   for (std::size_t i = window.first; i < window.last; ++i) {
-    sum += squared(before, i) - squared(after, i);
+    sum += misfit_of(beams, i, before) - misfit_of(beams, i, after);
     if (sum >= least) continue;
     least = sum;
     best = i + 1;

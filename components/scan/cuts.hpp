@@ -19,6 +19,13 @@ struct Window {
 std::size_t best_fit(const PolarLine& before, const PolarLine& after, const Window& window,
                      const Beams& beams);
 
+/// Whether the beams between two places of a cut, that of the lines' crossing and that which fits,
+/// tell them apart: they passed between the end of one wall and another close behind it, and the
+/// lines cross where no wall is. `excess`: variance of the beams about their lines over what the
+/// noise says, >= 1.
+bool pass_by(const PolarLine& before, const PolarLine& after, std::size_t crossing,
+             std::size_t fitting, double excess, const Beams& beams);
+
 /// Memory that is worked in, kept from scan to scan.
 struct CutMemory {
   std::vector<PolarLine> lines;
@@ -26,7 +33,8 @@ struct CutMemory {
 };
 
 /// Moves each cut between neighbours that adjoin to the bearing at which their lines cross; where
-/// they cross elsewhere, as those of a step in a wall, to where the beams fit best.
+/// they cross elsewhere, as those of a step in a wall or of a cabinet close before one, to where
+/// the beams fit best.
 void place_cuts(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory);
 
 }  // namespace perceptor::scan
