@@ -15,7 +15,7 @@ bool make_door(BoundKind first, BoundKind second) {
   const auto is_jamb = [](BoundKind kind) {
     return is_convex(kind) || kind == BoundKind::turned_end;
   };
-  return is_jamb(first) && is_jamb(second) && (is_convex(first) || is_convex(second));
+  return is_jamb(first) && is_jamb(second);
 }
 
 /// For people, by the kinds of the more and the less certain bound.

@@ -13,18 +13,9 @@ namespace {
 struct Passage {
   Segment line;
   double confidence = 0.0;
-  bool is_sure = false;        ///< both walls end there
+  bool is_door = false;
   std::int64_t last_seen = 0;  ///< [us] when both walls were; 0: unknown
 };
-
-/// Whether the wall was seen to end at this point of an opening, and does not go on unseen.
-bool is_sure_end(const Map& map, Index point) {
-  const Index wall_end = map.points[static_cast<std::size_t>(point)].projection;
-  if (wall_end == kNone) return false;  // on the face of a wall
-  const Point& end = map.points[static_cast<std::size_t>(wall_end)];
-  return end.property == PointProperty::convex || end.method == CornerMethod::vector ||
-         end.method == CornerMethod::intersection;
-}
 
 std::vector<Passage> passages_of(const Map& map) {
   std::vector<Passage> passages;
@@ -32,9 +23,7 @@ std::vector<Passage> passages_of(const Map& map) {
     const bool is_door = object.type == ObjectType::door;
     const bool is_passage = is_door || object.type == ObjectType::possible_door;
     if (!is_passage || object.points.size() != 2) continue;
-    const bool is_sure = is_sure_end(map, object.points[0]) && is_sure_end(map, object.points[1]);
-    passages.push_back(
-        {segment(map, object), object.confidence, is_door || is_sure, object.last_seen});
+    passages.push_back({segment(map, object), object.confidence, is_door, object.last_seen});
   }
   return passages;
 }
@@ -68,7 +57,7 @@ std::vector<Exit> find_exits(const Map& map, const std::vector<Wall>& walls, con
   const std::vector<Passage> passages = passages_of(map);
   std::vector<Exit> exits;
   for (const Passage& door : passages) {
-    if (!door.is_sure || !is_seen_lately(door, utime, parameters)) continue;
+    if (!door.is_door || !is_seen_lately(door, utime, parameters)) continue;
     const Segment sight{robot, middle(door.line)};
     if (length(sight) > parameters.max_distance) continue;
     const bool is_before = signed_distance(door.line, robot) > 0.0;

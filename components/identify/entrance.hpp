@@ -1,9 +1,8 @@
 /// @file The ways out of the place the robot is in, as one map shows them.
 ///
 /// A way out is an opening (openings.hpp)
-/// - that is a door; or a possible door both of whose walls were seen to end there. A loose end
-///   may be a wall that goes on unseen, and a false exit is worse than a late one: that opening
-///   becomes a door once the robot has come nearer;
+/// - that is a door. An end of a possible door may be a wall that goes on unseen, and a false exit
+///   is worse than a late one: that opening becomes a door once the robot has come nearer;
 /// - of which both walls were seen lately: what is only remembered may have been shut;
 /// - that the robot stands before, on the side from which the walls were seen;
 /// - whose middle the robot sees: no wall crosses the straight line to it;

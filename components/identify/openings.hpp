@@ -5,13 +5,13 @@
 /// - a corner: convex, its two walls connected;
 /// - an outer end: convex, seen from one side only (corner_types.hpp, rule 4);
 /// - a turned end: floating, but the surface was seen to turn there into something too short
-///   to be a wall. Across from a convex end that can only be the jamb of a doorway;
+///   to be a wall. Across from another end in its line that can only be the jamb of a doorway;
 /// - a loose end: floating, so the wall may go on unseen;
 /// - a face: the inside of a wall that an end without a corner looks at squarely.
 ///
-/// A convex end with a convex or a turned one makes a door. A loose end with any other, two
-/// turned ends, or an end and a face, make a possible door. Concave corners bound nothing,
-/// nor does the far end of a jamb, which is the depth of a wall and no wall of its own.
+/// Two ends that are convex or turned make a door. A loose end with any other, or an end and a
+/// face, make a possible door. Concave corners bound nothing, nor does the far end of a jamb,
+/// which is the depth of a wall and no wall of its own.
 ///
 /// 1. Pair the ends: the width within limits; each wall points away from the opening, within
 ///    an angle of the line through the two ends; each end is near the line of the other wall;

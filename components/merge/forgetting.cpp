@@ -51,8 +51,9 @@ Interval with_margins(Interval opening, double wall_length, double margin) {
   return opening;
 }
 
-bool is_old_enough(const Wall& wall, const ConfirmationParameters& parameters) {
-  return seconds_between(wall.first_seen, wall.last_seen) >= parameters.min_time;
+bool was_seen_steadily(const Wall& wall, const ConfirmationParameters& parameters) {
+  return seconds_between(wall.first_seen, wall.last_seen) >= parameters.min_time &&
+         wall.sightings >= parameters.min_share * wall.scans;
 }
 
 void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newly_confirmed,
@@ -69,7 +70,7 @@ void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newl
     for (const WallEnd& end : walls[i].ends) {
       if (end.connected == kNone) continue;
       const std::size_t neighbour = index_of(end.connected);
-      if (walls[neighbour].confirmed || !is_old_enough(walls[neighbour], parameters)) continue;
+      if (walls[neighbour].confirmed || !was_seen_steadily(walls[neighbour], parameters)) continue;
       walls[neighbour].confirmed = true;
       walls[neighbour].is_new = true;
       newly_confirmed.push_back(neighbour);
@@ -110,7 +111,7 @@ void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters)
   for (std::size_t i = 0; i < walls.size(); ++i) {
     Wall& wall = walls[i];
     const bool is_certain =
-        wall.sightings >= parameters.sightings && is_old_enough(wall, parameters);
+        wall.sightings >= parameters.sightings && was_seen_steadily(wall, parameters);
     if (!wall.confirmed && is_certain) {
       wall.confirmed = true;
       wall.is_new = true;

@@ -13,6 +13,8 @@ struct ConfirmationParameters {
   int sightings = 3;            ///< scans that must see a wall before it is published
   double min_time = 0.5;        ///< [s] from the first to the last of them; larger is safer
                                 ///< against what moves, and slower to show a new wall
+  double min_share = 0.5;       ///< of the scans since the first that must see it; larger keeps out
+                                ///< what noise shows now and then
   double tentative_time = 0.5;  ///< [s] a wall not confirmed that is unseen for so long is
                                 ///< removed; more than the time between scans; larger confirms
                                 ///< errors that happen now and then in one place
@@ -34,8 +36,8 @@ void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sigh
                          const ForgettingParameters& parameters);
 
 /// Confirms the walls that were seen often enough over a long enough time. One that is connected
-/// to a confirmed wall, however many walls lie between, needs the time but not the sightings:
-/// what walks past a wall's end is connected to it as well.
+/// to a confirmed wall, however many walls lie between, needs the time and the share but not the
+/// number of sightings: what walks past a wall's end is connected to it as well.
 void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters);
 
 /// Removes the walls that were not confirmed and are not seen any more.

@@ -124,6 +124,7 @@ void merge_evidence(Wall& fused, const Wall& other, const FusionParameters& para
       std::min(parameters.max_weight, std::max(fused.weight + more_weight, other.weight));
   if (other.last_seen >= fused.last_seen)
     fused.support = is_new_sighting ? other.support : fused.support + other.support;
+  fused.scans = std::max(fused.scans, other.scans);
   fused.first_seen = std::min(fused.first_seen, other.first_seen);
   fused.last_seen = std::max(fused.last_seen, other.last_seen);
   fused.is_new = fused.confirmed ? fused.is_new : other.is_new;

@@ -104,6 +104,8 @@ void describe(config::Fields& fields, ConfirmationParameters& p) {
                  "scans that must see a wall before it is published");
   fields.number("min_time", p.min_time, {0.0, 60.0},
                 "[s] from the first to the last of them; larger is safer against what moves");
+  fields.number("min_share", p.min_share, {0.0, 1.0},
+                "[-] of the scans since the first that must see it");
   fields.number("tentative_time", p.tentative_time, {0.0, 1e6},
                 "[s] a wall that is not confirmed and unseen for so long is removed");
 }

@@ -99,6 +99,7 @@ void Merger::merge_scan(const std::vector<Wall>& sighted_in_robot,
                         const PoseEstimate& robot_in_local, const ScanMap& scan) {
   const std::vector<Wall> sighted = in_local_frame(sighted_in_robot, robot_in_local);
   const Vector2 laser = perceptor::transform(robot_in_local.pose, scan.laser_in_robot.location());
+  for (Wall& wall : walls_) ++wall.scans;
   forget_seen_through(walls_, sighted, laser, next_id_, parameters_.forgetting);
   merge_sighted(sighted, laser);
   merge_doubles(sighted, laser, scan.utime);

@@ -30,7 +30,7 @@ struct EndParameters {
   double min_sigma = 0.001;  ///< [m] no end is known better; larger lets one bad scan move a
                              ///< corner
   double min_radius = 0.1;   ///< [m] the radius of a well known end shrinks to this
-  double seen_reach = 0.1;   ///< [m] a corner may lie this far from where beams passed the end to
+  double seen_reach = 0.03;  ///< [m] a corner may lie this far from where beams passed the end to
                              ///< something farther; larger joins furniture to the wall behind
 };
 
@@ -42,6 +42,7 @@ struct Wall {
   std::array<WallEnd, 2> ends;
   std::int32_t support = 0;     ///< beams behind it in the last scan that saw it
   int sightings = 1;            ///< scans that saw it
+  int scans = 1;                ///< scans since it was first seen
   double weight = 1.0;          ///< sightings, bounded, halved by each scan that sees through it
   std::int64_t first_seen = 0;  ///< [us]
   std::int64_t last_seen = 0;   ///< [us]

@@ -60,7 +60,17 @@ std::size_t first_beam_beyond(const Vector2& place, const Cut& cut, const Beams&
   return i;
 }
 
-/// Where the walls on both sides of the cut meet, close to the end of both.
+/// Where the nearer of two walls ends, and the other goes on behind it.
+Corner end_of_nearer(const Cut& cut, const Beams& beams) {
+  const bool is_before = beams.range[cut.last()] < beams.range[cut.next()];
+  return {.place = is_before ? cut.wall_before->last : cut.wall_after->first,
+          .method = CornerMethod::spike,
+          .property = PointProperty::convex,
+          .beam = is_before ? cut.last() : cut.next()};
+}
+
+/// Where the walls on both sides of the cut meet, close to the end of both; or, where beams pass
+/// between them, the end of the nearer one.
 std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
                                     const ScanParameters& parameters) {
   if (cut.wall_before == nullptr || cut.wall_after == nullptr) return std::nullopt;
@@ -83,7 +93,7 @@ std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
   if (pass_by(polar_line(first.line, beams.laser), polar_line(second.line, beams.laser),
               first_beam_beyond(place, cut, beams), cut.next(),
               std::max(first.excess, second.excess), beams))
-    return std::nullopt;
+    return end_of_nearer(cut, beams);
   return Corner{
       .place = end,
       .method = CornerMethod::intersection,

@@ -81,7 +81,7 @@ TEST(Exits, DoorSeenThroughAPossibleDoorIsNone) {
   EXPECT_EQ(exits_of(map, {0, 3}).size(), 1U) << "from the corridor in between";
 }
 
-TEST(Exits, PossibleDoorIsOneWhereBothWallsWereSeenToEnd) {
+TEST(Exits, PossibleDoorBecomesOneWhereBothWallsAreSeenToEnd) {
   Map map = loose_walls(0.9);
   ASSERT_EQ(openings_of(map).size(), 1U);
   EXPECT_TRUE(exits_of(map).empty());
@@ -89,7 +89,7 @@ TEST(Exits, PossibleDoorIsOneWhereBothWallsWereSeenToEnd) {
   ASSERT_EQ(openings_of(map).at(0).type, ObjectType::possible_door);
   EXPECT_TRUE(exits_of(map).empty()) << "one may go on";
   end_point(map, 1, 0).method = CornerMethod::vector;
-  ASSERT_EQ(openings_of(map).at(0).type, ObjectType::possible_door);
+  ASSERT_EQ(openings_of(map).at(0).type, ObjectType::door);
   EXPECT_EQ(exits_of(map).size(), 1U);
 }
 

@@ -203,13 +203,13 @@ TEST(Doors, OuterEndsMakeADoorOfLessConfidence) {
   EXPECT_NEAR(openings[0].confidence, 0.64, kExact);
 }
 
-TEST(Doors, TurnedEndIsTheJambAcrossFromAConvexEnd) {
+TEST(Doors, TurnedEndIsTheJambAcrossFromAnother) {
   Map map = loose_walls(0.9);
   end_point(map, 0, kHead).method = CornerMethod::spike;
   end_point(map, 1, kTail).method = CornerMethod::vector;
   expect_one(openings_of(map), ObjectType::door, "outer end and turned end");
   end_point(map, 0, kHead).method = CornerMethod::intersection;
-  expect_one(openings_of(map), ObjectType::possible_door, "two turned ends");
+  expect_one(openings_of(map), ObjectType::door, "two turned ends");
 }
 
 /// Two walls 1 m long that face each other across a passage of 0.8 m, seen from within: both

@@ -40,6 +40,17 @@ TEST(Forgetting, ErrorThatComesNowAndThenIsNeverConfirmed) {
   }
 }
 
+TEST(Forgetting, ErrorOfEachThirdScanIsNeverConfirmed) {
+  MergeParameters parameters;
+  parameters.confirmation.tentative_time = 10.0;
+  Session session(parameters);
+  session.see_often({wall(0, 0, 4, 0)}, 5);
+  for (int i = 0; i < 20; ++i) {
+    session.see({wall(0, 0, 4, 0), wall(1, 3, 0, 3)});
+    EXPECT_EQ(session.see_often({wall(0, 0, 4, 0)}, 2).walls.objects.size(), 1U);
+  }
+}
+
 TEST(Forgetting, TentativeWallThatIsSeenThroughGoesAtOnce) {
   Session session;
   session.see_often(kCupboard, 2);
