@@ -33,7 +33,9 @@ void set_ends(Wall& wall, const Segment& segment) {
 
 bool is_known(const WallEnd& end) { return end.method != CornerMethod::none; }
 
-bool is_seen_as_end(const WallEnd& end) { return end.method == CornerMethod::spike; }
+bool is_seen_as_end(const WallEnd& end) {
+  return end.method == CornerMethod::spike || end.method == CornerMethod::vector;
+}
 
 double reach_of_seen(const WallEnd& end, const EndParameters& parameters) {
   return std::max(parameters.seen_reach, 2.0 * std::sqrt(end.variance));

@@ -30,8 +30,8 @@ struct EndParameters {
   double min_sigma = 0.001;  ///< [m] no end is known better; larger lets one bad scan move a
                              ///< corner
   double min_radius = 0.1;   ///< [m] the radius of a well known end shrinks to this
-  double seen_reach = 0.03;  ///< [m] a corner may lie this far from where beams passed the end to
-                             ///< something farther; larger joins furniture to the wall behind
+  double seen_reach = 0.03;  ///< [m] a corner may lie this far from an end that was seen as one;
+                             ///< larger joins furniture to the wall behind
 };
 
 struct Wall {
@@ -73,7 +73,8 @@ void set_ends(Wall& wall, const Segment& segment);
 
 bool is_known(const WallEnd& end);
 
-/// Beams passed it to something farther: the wall does not go on there.
+/// The wall does not go on there: beams passed it to something farther, or the surface was seen to
+/// turn into something too small for a wall.
 bool is_seen_as_end(const WallEnd& end);
 
 /// [m] how far an end that is seen as one may be from the corner that it belongs to: the wall
