@@ -94,11 +94,10 @@ std::optional<Corner> meeting_point(const Cut& cut, const Beams& beams,
               first_beam_beyond(place, cut, beams), cut.next(),
               std::max(first.excess, second.excess), beams))
     return end_of_nearer(cut, beams);
-  return Corner{
-      .place = end,
-      .method = CornerMethod::intersection,
-      .property = property_of_turn(first.line.direction, second.line.direction),
-      .beam = cut.next()};
+  return Corner{.place = end,
+                .method = CornerMethod::intersection,
+                .property = property_of_turn(first.line.direction, second.line.direction),
+                .beam = cut.next()};
 }
 
 bool has_beams_for_corner(const Run& run, const ScanParameters& parameters) {

@@ -1,6 +1,8 @@
 #include "components/scan/cuts.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace perceptor::scan {
@@ -19,6 +21,9 @@ constexpr double kWindowSigmas = 18.0;
 constexpr double kDoubt = 16.0;
 /// What one of them counts at most, so that no outlier decides.
 constexpr double kMostDoubt = 9.0;
+
+/// Standard deviations of chi-square over what is expected of beams of one wall.
+constexpr double kMixedSigmas = 3.0;
 
 /// How many of its solid beams a run may give away: less than half, so that it keeps enough even
 /// if both its ends move.
@@ -62,21 +67,53 @@ double misfit_of(const Beams& beams, std::size_t i, const PolarLine& line) {
   return beams.weight[i] * off * off;
 }
 
-/// By how much the beams of a run scatter more than their noise says: not all are of one wall, or
-/// the wall is not straight.
-double excess_of(const Moments& moments) {
-  return std::max(1.0, misfit(moments, 0.0).chi_square / std::max(1.0, moments.beams - 2.0));
+/// Squared distances of all beams from their best line, in variances of their ranges.
+double chi_square_of(const Moments& m, const PolarLine& line) {
+  return m.w - line.a * m.x - line.b * m.y;
 }
 
-/// Where the cut between two runs belongs; none where it has to stay.
-std::optional<std::size_t> best_cut(const Run& before, const Run& after, const PolarLine& line,
-                                    const PolarLine& next_line, const Beams& beams) {
+FittedRun fitted(const Run& run) {
+  const PolarLine line = polar_line(run.moments);
+  const double chi_square = chi_square_of(run.moments, line);
+  const double degrees_of_freedom = std::max(1.0, run.moments.beams - 2.0);
+  const double scatter = kMixedSigmas * std::sqrt(2.0 * degrees_of_freedom);
+  return {.line = line,
+          .excess = std::max(1.0, chi_square / degrees_of_freedom),
+          .is_mixed = chi_square > degrees_of_freedom + scatter};
+}
+
+/// The cut of the window that leaves the best two lines, each fitted to what it leaves.
+std::size_t best_fit_anew(const Run& before, const Run& after, const Window& window,
+                          const Sweep& sweep) {
+  Moments left = with_end(before, window.first, sweep.sums).moments;
+  Moments right = with_begin(after, window.first, sweep.sums).moments;
+  std::size_t best = window.first;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t cut = window.first;; ++cut) {
+    const double chi_square =
+        chi_square_of(left, polar_line(left)) + chi_square_of(right, polar_line(right));
+    if (chi_square < least) best = cut;
+    least = std::min(least, chi_square);
+    if (cut == window.last) return best;
+    const Moments next = moments_of(sweep.beams, cut);
+    left = left + next;
+    right = right - next;
+  }
+}
+
+/// Where the cut between two runs belongs; none where it has to stay. The line of a run with
+/// foreign beams is theirs as well, so the first cut is not by the lines.
+std::optional<std::size_t> best_cut(const Run& before, const Run& after, const FittedRun& left,
+                                    const FittedRun& right, const Sweep& sweep, bool is_first) {
+  const Beams& beams = sweep.beams;
   if (!adjoin(beams, before, after)) return std::nullopt;
   const Window window = window_around(before, after, beams);
-  const std::size_t fitting = best_fit(line, next_line, window, beams);
-  const auto cut = crossing(line, next_line, window, beams);
-  const double excess = std::max(excess_of(before.moments), excess_of(after.moments));
-  return cut && !pass_by(line, next_line, *cut, fitting, excess, beams) ? *cut : fitting;
+  if (is_first && (left.is_mixed || right.is_mixed))
+    return best_fit_anew(before, after, window, sweep);
+  const std::size_t fitting = best_fit(left.line, right.line, window, beams);
+  const auto cut = crossing(left.line, right.line, window, beams);
+  const double excess = std::max(left.excess, right.excess);
+  return cut && !pass_by(left.line, right.line, *cut, fitting, excess, beams) ? *cut : fitting;
 }
 
 void move_cut(Run& before, Run& after, std::size_t cut, const PrefixMoments& sums) {
@@ -85,19 +122,19 @@ void move_cut(Run& before, Run& after, std::size_t cut, const PrefixMoments& sum
 }
 
 /// All cuts at once, each by the runs as they were, so that no cut comes first.
-void place_all(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory) {
+void place_all(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory, bool is_first) {
   // A first run that passes the seam would, one turn later, end behind the last beam there is.
   if (sweep.beams.is_circle && runs.front().end > sweep.beams.count) turn(runs, sweep.beams);
-  memory.lines.clear();
+  std::vector<FittedRun>& fits = memory.fits;
+  fits.clear();
   memory.cuts.clear();
-  for (const Run& run : runs) memory.lines.push_back(polar_line(run.moments));
+  for (const Run& run : runs) fits.push_back(fitted(run));
   for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-    memory.cuts.push_back(
-        best_cut(runs[i], runs[i + 1], memory.lines[i], memory.lines[i + 1], sweep.beams));
+    memory.cuts.push_back(best_cut(runs[i], runs[i + 1], fits[i], fits[i + 1], sweep, is_first));
   std::optional<std::size_t> over_seam;
   if (sweep.beams.is_circle && runs.size() > 2)
-    over_seam = best_cut(runs.back(), past_seam(runs.front(), sweep.beams), memory.lines.back(),
-                         memory.lines.front(), sweep.beams);
+    over_seam = best_cut(runs.back(), past_seam(runs.front(), sweep.beams), fits.back(),
+                         fits.front(), sweep, is_first);
 
   const std::size_t end_at_seam = runs.back().end;
   for (std::size_t i = 0; i + 1 < runs.size(); ++i)
@@ -117,8 +154,7 @@ bool pass_by(const PolarLine& before, const PolarLine& after, std::size_t crossi
   const double most = kMostDoubt * excess;
   double sum = 0.0;
   for (std::size_t i = first; i < last; ++i)
-    sum += std::clamp(misfit_of(beams, i, before) - misfit_of(beams, i, after), -most,
-                      most);
+    sum += std::clamp(misfit_of(beams, i, before) - misfit_of(beams, i, after), -most, most);
   return (crossing > fitting ? sum : -sum) > kDoubt * excess;
 }
 
@@ -138,7 +174,7 @@ std::size_t best_fit(const PolarLine& before, const PolarLine& after, const Wind
 
 void place_cuts(std::vector<Run>& runs, const Sweep& sweep, CutMemory& memory) {
   if (runs.empty()) return;
-  for (int round = 0; round < kRounds; ++round) place_all(runs, sweep, memory);
+  for (int round = 0; round < kRounds; ++round) place_all(runs, sweep, memory, round == 0);
 }
 
 }  // namespace perceptor::scan

@@ -26,9 +26,16 @@ std::size_t best_fit(const PolarLine& before, const PolarLine& after, const Wind
 bool pass_by(const PolarLine& before, const PolarLine& after, std::size_t crossing,
              std::size_t fitting, double excess, const Beams& beams);
 
+/// A run's line, and how well it explains the beams.
+struct FittedRun {
+  PolarLine line;
+  double excess = 1.0;    ///< variance of the beams over what the noise says, >= 1
+  bool is_mixed = false;  ///< beams of another wall seem to be among them
+};
+
 /// Memory that is worked in, kept from scan to scan.
 struct CutMemory {
-  std::vector<PolarLine> lines;
+  std::vector<FittedRun> fits;
   std::vector<std::optional<std::size_t>> cuts;
 };
 

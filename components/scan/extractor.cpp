@@ -36,7 +36,7 @@ void WallExtractor::reserve_for(std::size_t beams) {
   sweep_.stretches.reserve(beams);
   workspace_.open.reserve(beams);
   workspace_.gains.reserve(beams);
-  workspace_.cuts.lines.reserve(beams);
+  workspace_.cuts.fits.reserve(beams);
   workspace_.cuts.cuts.reserve(beams);
   workspace_.points.reserve(beams);
   runs_.reserve(beams);
