@@ -110,7 +110,10 @@ class CandidateFinder {
   /// Of a doorway that is seen from within: its walls are hidden, its jambs face each other.
   std::optional<Candidate> between_jambs(const Bound& first, const Bound& second) const {
     const bool lie_in_walls = first.kind == BoundKind::corner && second.kind == BoundKind::corner;
-    if (lie_in_walls || !is_convex(first.kind) || !is_convex(second.kind)) return std::nullopt;
+    const bool are_a_corridor =
+        std::min(first.wall->length, second.wall->length) > limits_.max_jamb_length;
+    if (lie_in_walls || are_a_corridor || !is_convex(first.kind) || !is_convex(second.kind))
+      return std::nullopt;
     if (first.end->outward.dot(second.end->outward) < max_angle_cosine_) return std::nullopt;
     const Vector2 across = second.end->location - first.end->location;
     const double width = length(across);

@@ -17,6 +17,9 @@ void describe_openings(config::Fields& fields, identify::OpeningParameters& p) {
   fields.number("max_face_angle", p.max_face_angle, {0.0, 1.5},
                 "[rad] by which an end's wall may miss the normal of the wall it faces, or a "
                 "jamb that of the door's line");
+  fields.number("max_jamb_length", p.max_jamb_length, {0.0, 100.0},
+                "[m] of the shorter of two jambs between which the robot stands; more takes the "
+                "ends of corridors for doors");
   fields.number("end_tolerance", p.end_tolerance, {0.0, 1.0},
                 "[m] within this of its ends, a wall that only touches a door's line does not "
                 "shut it (a jamb)");

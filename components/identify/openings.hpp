@@ -17,8 +17,8 @@
 ///    an angle of the line through the two ends; each end is near the line of the other wall;
 ///    both walls are free on the same side.
 ///    Or, for a doorway that is seen from within and whose walls are hidden: two walls that
-///    face each other end together, one at least with an outer end. What is hidden behind
-///    the two ends is taken to be in line.
+///    face each other end together, one at least with an outer end, and not both so long that
+///    they are a corridor's. What is hidden behind the two ends is taken to be in line.
 /// 2. Take out those that are shut: a wall crosses the opening, or stands across a good part
 ///    of it close behind or before (a shut door that stands back).
 /// 3. Give each a confidence, and choose the best first, doors before possible doors. Each
@@ -36,16 +36,18 @@
 namespace perceptor::identify {
 
 struct OpeningParameters {
-  double door_min_width = 0.5;   ///< [m] less takes gaps that no robot drives through
-  double door_max_width = 1.5;   ///< [m] more takes the ends of corridors
+  double door_min_width = 0.45;  ///< [m] less takes gaps that no robot drives through
+  double door_max_width = 1.55;  ///< [m] more takes the ends of corridors
   double wall_min_length = 0.2;  ///< [m] shorter walls bound nothing: their direction is unsure
   double max_angle = 0.26;       ///< [rad] of each wall with the line through the two ends
   double max_offset = 0.15;      ///< [m] of each end from the line of the other wall
   double max_face_angle = 0.35;  ///< [rad] by which an end's wall may miss the normal of a face, or
                                  ///< of the line between two jambs
-  double end_tolerance = 0.1;    ///< [m] along the opening, from each end, where a wall that
-                                 ///< only touches the line does not shut it (a jamb); for a
-                                 ///< face also how far its own ends must be
+  double max_jamb_length = 1.5;  ///< [m] of the shorter of two jambs between which the robot
+                                 ///< stands; more takes the ends of corridors
+  double end_tolerance = 0.1;       ///< [m] along the opening, from each end, where a wall that
+                                    ///< only touches the line does not shut it (a jamb); for a
+                                    ///< face also how far its own ends must be
   double shut_depth_behind = 0.4;   ///< [m] a wall across the opening this close behind its walls'
                                     ///< faces shuts it; more loses doors onto narrow corridors
   double shut_depth_before = 0.1;   ///< [m] the same before the faces

@@ -37,10 +37,10 @@ TEST(Doors, DoorwayInAWallIsOneDoorBetweenItsCorners) {
 }
 
 TEST(Doors, WidthDecidesAtBothLimits) {
-  EXPECT_TRUE(openings_of(doorway(0.49)).empty());
-  EXPECT_EQ(openings_of(doorway(0.51)).size(), 1U);
-  EXPECT_EQ(openings_of(doorway(1.49)).size(), 1U);
-  EXPECT_TRUE(openings_of(doorway(1.51)).empty());
+  EXPECT_TRUE(openings_of(doorway(0.44)).empty());
+  EXPECT_EQ(openings_of(doorway(0.46)).size(), 1U);
+  EXPECT_EQ(openings_of(doorway(1.54)).size(), 1U);
+  EXPECT_TRUE(openings_of(doorway(1.56)).empty());
 }
 
 TEST(Doors, ConfidenceFallsWithAngleOffsetAndUnusualWidth) {
@@ -249,6 +249,11 @@ TEST(Doors, JambsHaveToEndTogetherFaceEachOtherAndStandOpen) {
   Map funnel = passage(0.0);
   end_point(funnel, 1, kHead).location = {1, 0.75};
   EXPECT_TRUE(openings_of(funnel).empty()) << "not parallel";
+
+  Map corridor = passage(0.0);
+  end_point(corridor, 0, kTail).location.x() = 0.4;
+  end_point(corridor, 1, kHead).location.x() = 0.4;
+  EXPECT_TRUE(openings_of(corridor).empty()) << "a corridor that ends";
 
   Map loose = passage(0.0);
   end_point(loose, 0, kHead).method = CornerMethod::none;
