@@ -36,14 +36,14 @@
 namespace perceptor::identify {
 
 struct OpeningParameters {
-  double door_min_width = 0.45;  ///< [m] less takes gaps that no robot drives through
-  double door_max_width = 1.55;  ///< [m] more takes the ends of corridors
+  double door_min_width = 0.47;  ///< [m] less takes gaps that no robot drives through
+  double door_max_width = 1.53;  ///< [m] more takes the ends of corridors
   double wall_min_length = 0.2;  ///< [m] shorter walls bound nothing: their direction is unsure
   double max_angle = 0.26;       ///< [rad] of each wall with the line through the two ends
   double max_offset = 0.15;      ///< [m] of each end from the line of the other wall
   double max_face_angle = 0.35;  ///< [rad] by which an end's wall may miss the normal of a face, or
                                  ///< of the line between two jambs
-  double max_jamb_length = 1.5;  ///< [m] of the shorter of two jambs between which the robot
+  double max_jamb_length = 1.2;  ///< [m] of the shorter of two jambs between which the robot
                                  ///< stands; more takes the ends of corridors
   double end_tolerance = 0.1;       ///< [m] along the opening, from each end, where a wall that
                                     ///< only touches the line does not shut it (a jamb); for a

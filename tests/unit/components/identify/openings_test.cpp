@@ -38,8 +38,8 @@ TEST(Doors, DoorwayInAWallIsOneDoorBetweenItsCorners) {
 
 TEST(Doors, WidthDecidesAtBothLimits) {
   EXPECT_TRUE(openings_of(doorway(0.44)).empty());
-  EXPECT_EQ(openings_of(doorway(0.46)).size(), 1U);
-  EXPECT_EQ(openings_of(doorway(1.54)).size(), 1U);
+  EXPECT_EQ(openings_of(doorway(0.48)).size(), 1U);
+  EXPECT_EQ(openings_of(doorway(1.52)).size(), 1U);
   EXPECT_TRUE(openings_of(doorway(1.56)).empty());
 }
 
