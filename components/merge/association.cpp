@@ -22,6 +22,7 @@ std::vector<Match> match_walls(const std::vector<Wall>& sighted, const std::vect
     std::optional<std::size_t> best;
     double best_score = 0.0;
     for (std::size_t j = 0; j < known.size(); ++j) {
+      if (are_far_apart(line, known_lines[j], parameters)) continue;
       const auto difference = compare(sighted[i], line, known[j], known_lines[j], parameters);
       if (!difference || (best && difference->score >= best_score)) continue;
       if (!is_on_free_side(known_lines[j], laser_in_local, parameters.max_offset)) continue;

@@ -140,6 +140,7 @@ void Merger::merge_doubles(const std::vector<Wall>& sighted, const Vector2& lase
   const auto are_one = [&](std::size_t i, std::size_t j) {
     const bool is_touched = walls_[i].last_seen == utime || walls_[j].last_seen == utime;
     return is_touched && !walls_[j].remove &&
+           !are_far_apart(lines[i], lines[j], parameters_.same_wall) &&
            compare(walls_[i], lines[i], walls_[j], lines[j], parameters_.same_wall) &&
            !is_doorway_between(lines[i], lines[j], sighted, laser,
                                parameters_.forgetting.sees_through);

@@ -36,6 +36,13 @@ struct Difference {
 std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall& q,
                                   const Line& line_q, const SameWallParameters& parameters);
 
+/// Whether two walls lie so far apart that they cannot be one, whatever their uncertainty. Quick;
+/// false says nothing.
+inline bool are_far_apart(const Line& p, const Line& q, const SameWallParameters& parameters) {
+  const double reach = (p.length + q.length) / 2.0 + parameters.max_gap + parameters.max_offset;
+  return (q.middle - p.middle).squaredNorm() > reach * reach;
+}
+
 /// The piece missing between two walls with a gap, along the longer one; none where they
 /// overlap.
 std::optional<Segment> gap_between(const Line& p, const Line& q);

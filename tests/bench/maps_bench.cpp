@@ -27,6 +27,25 @@ void Merge(benchmark::State& state) {
 }
 BENCHMARK(Merge)->Apply(WallCounts);
 
+/// A robot that drives along 25 walls at a time, and looks at the last 25 of them.
+void MergeInView(benchmark::State& state) {
+  merge::Merger merger{merge::MergeParameters{}};
+  merge::ScanMap scan;
+  scan.laser_in_robot = {-12.0, -3.0, 0.0};  // before the middle of what it sees
+  scan.walls = row_of_rooms(25);
+  const auto see = [&] {
+    scan.utime += kScanPeriod;
+    return merger.update(scan);
+  };
+  for (int place = 0; place < state.range(0); ++place) {
+    scan.robot_in_zero.x = -25.0 * place;
+    for (int i = 0; i < 40; ++i) see();
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(see());
+  state.counters["walls"] = static_cast<double>(merger.walls().size());
+}
+BENCHMARK(MergeInView)->Arg(1)->Arg(5);
+
 void Identify(benchmark::State& state) {
   const Map local_map = row_of_rooms(static_cast<int>(state.range(0)));
   for (auto _ : state) {
