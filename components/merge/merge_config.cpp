@@ -53,6 +53,10 @@ void describe(config::Fields& fields, SameWallParameters& p) {
 
 void describe(config::Fields& fields, RegistrationParameters& p) {
   fields.group("odometry", p.odometry, "how much odometry errs");
+  fields.choice(
+      "landmarks", p.landmarks,
+      {{"walls", Landmarks::walls}, {"corners", Landmarks::corners}, {"both", Landmarks::both}},
+      "what of a scan is laid on the map; corners alone show how the robot moved by them");
   fields.group("same_wall", p.same_wall, "which walls may be laid on each other");
   fields.integer("rounds", p.rounds, {1, 10}, "of matching anew");
   fields.integer("iterations", p.iterations, {1, 50}, "of least squares in each round");

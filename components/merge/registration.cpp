@@ -8,6 +8,7 @@
 
 #include "common/geometry/angle.hpp"
 #include "components/merge/association.hpp"
+#include "components/merge/normal_equations.hpp"
 #include "components/merge/sighting.hpp"
 
 namespace perceptor::merge {
@@ -15,44 +16,23 @@ namespace {
 
 double square(double value) { return value * value; }
 
-/// Weighted normal equations of the pose (x, y, a); later sources of information (corners)
-/// add to the same.
-struct NormalEquations {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  double spurious = 0.0;  ///< [1/m^2] of translation, that the walls' angle noise alone makes
-};
-
-/// Offset and angle of a sighted line on a known one, and their derivative by the pose.
-void add_line(NormalEquations& equations, const Position& robot_in_local, const Wall& sighted,
-              const Wall& known, const Line& known_line, double outlier_sigmas) {
-  const Line line = line_of(transform(robot_in_local, sighted.segment));
-  const Vector2 from_known = line.middle - known_line.middle;
-  const Vector2 lever = perpendicular(line.middle - robot_in_local.location());
-  const Eigen::Vector2d residual(known_line.normal.dot(from_known), turn_between(known_line, line));
-  Eigen::Matrix<double, 2, 3> by_pose;
-  by_pose << known_line.normal.x(), known_line.normal.y(), known_line.normal.dot(lever), 0.0, 0.0,
-      1.0;
-  const double reach = known_line.along.dot(from_known);
-  const Eigen::Matrix2d covariance = sighted.covariance + moved_along(known.covariance, reach);
-  const Eigen::Matrix2d inverse_covariance = covariance.inverse();
-  const double sigmas_squared = residual.dot(inverse_covariance * residual);
-  const double trust = 1.0 / (1.0 + sigmas_squared / square(outlier_sigmas));
-
-  const Eigen::Matrix<double, 3, 2> weighted = by_pose.transpose() * inverse_covariance * trust;
-  equations.information += weighted * by_pose;
-  equations.gradient -= weighted * residual;
-  equations.spurious += trust * inverse_covariance(0, 0) * covariance(1, 1);
-}
-
 NormalEquations normal_equations(const Position& robot_in_local, const std::vector<Wall>& sighted,
                                  const std::vector<Wall>& known,
                                  const std::vector<Line>& known_lines,
-                                 const std::vector<Match>& matches, double outlier_sigmas) {
+                                 const std::vector<Match>& matches, double outlier_sigmas,
+                                 const RegistrationParameters& parameters) {
+  const bool with_lines = parameters.landmarks != Landmarks::corners;
+  const bool with_corners = parameters.landmarks != Landmarks::walls;
   NormalEquations equations;
-  for (const Match& match : matches)
-    add_line(equations, robot_in_local, sighted[match.sighted], known[match.known],
-             known_lines[match.known], outlier_sigmas);
+  for (const Match& match : matches) {
+    const Wall& wall = sighted[match.sighted];
+    const Wall& known_wall = known[match.known];
+    const Line& line = known_lines[match.known];
+    if (with_lines) add_line(equations, robot_in_local, wall, known_wall, line, outlier_sigmas);
+    if (with_corners && known_wall.confirmed)  // what walks by has ends as well
+      add_corners(equations, robot_in_local, wall, known_wall, line, with_lines,
+                  parameters.same_wall.shift, outlier_sigmas);
+  }
   return equations;
 }
 
@@ -104,7 +84,7 @@ Correction correct(const PoseEstimate& predicted, const Position& start,
   constexpr double kConverged = 1e-10;
   for (int i = 0; i < parameters.iterations; ++i) {
     NormalEquations equations =
-        normal_equations(pose, sighted, known, known_lines, matches, outlier_sigmas);
+        normal_equations(pose, sighted, known, known_lines, matches, outlier_sigmas, parameters);
     correction.loose = loose_direction(equations, parameters.unobservable_sigma);
     if (correction.loose) silence(equations, *correction.loose);
     const Eigen::Matrix3d information = prior + equations.information;

@@ -2,14 +2,16 @@
 /// scan's walls on those of the map.
 ///
 /// The correction is an iterated extended Kalman update, computed as weighted least squares on
-/// the offset and angle between matched lines, with a Cauchy weight against outliers
-/// (Z. Zhang, "Parameter estimation techniques", Image and Vision Computing 15, 1997). Along a
-/// direction that the walls do not fix (a corridor) nothing is corrected: odometry rules there.
+/// the offset and angle between matched lines and the shift between their ends, with a Cauchy
+/// weight against outliers (Z. Zhang, "Parameter estimation techniques", Image and Vision
+/// Computing 15, 1997). Along a direction that neither fixes (a corridor without doorways) nothing
+/// is corrected: odometry rules there.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "components/merge/normal_equations.hpp"
 #include "components/merge/same_wall.hpp"
 #include "components/merge/wall.hpp"
 
@@ -24,6 +26,7 @@ struct OdometryNoise {
 
 struct RegistrationParameters {
   OdometryNoise odometry;
+  Landmarks landmarks = Landmarks::both;  ///< `corners` shows how the robot moved by these alone
   SameWallParameters same_wall{.offset = 0.1,
                                .angle = 0.1,
                                .sigmas = 3.0,

@@ -69,6 +69,43 @@ TEST(Registration, CorridorLeavesOneDirectionToOdometry) {
   EXPECT_GT(local.robot_in_local.covariance(0, 0), 10.0 * local.robot_in_local.covariance(1, 1));
 }
 
+/// A corridor of which one wall was seen to end, by a robot that drove 0.2 m along it where
+/// odometry says 0.25 m.
+LocalMap after_a_slip(Landmarks landmarks) {
+  const std::vector<Drawn> corridor = {wall(-5, -1, 3, -1, CornerMethod::none, CornerMethod::spike),
+                                       wall(5, 1, -5, 1)};
+  MergeParameters parameters;
+  parameters.registration.landmarks = landmarks;
+  Session session(parameters);
+  session.see_often(corridor, 20, {0.0, 0.0, 0.0});
+  return session.take(transform(draw(corridor), inverse(Position{0.2, 0.0, 0.0})),
+                      {0.25, 0.0, 0.0});
+}
+
+TEST(Registration, EndOfAWallFixesWhereTheRobotIsAlongIt) {
+  const LocalMap by_lines = after_a_slip(Landmarks::walls);
+  EXPECT_TRUE(by_lines.unobservable_direction);
+  EXPECT_NEAR(by_lines.robot_in_local.pose.x, 0.25, 0.002);
+  const LocalMap by_both = after_a_slip(Landmarks::both);
+  EXPECT_FALSE(by_both.unobservable_direction);
+  EXPECT_NEAR(by_both.robot_in_local.pose.x, 0.2, 0.02);
+}
+
+TEST(Registration, CornersAloneTellHowTheRobotMoved) {
+  std::vector<Drawn> corners = room();
+  for (Drawn& drawn : corners) drawn.tail = drawn.head = CornerMethod::intersection;
+  MergeParameters parameters;
+  parameters.registration.landmarks = Landmarks::corners;
+  Session session(parameters);
+  session.see_often(corners, 5, {2.0, 1.5, 0.0});
+  const Map scan = transform(draw(corners), inverse(Position{2.1, 1.5, 0.0}));
+  const LocalMap local = session.take(scan, {2.14, 1.51, degrees(1.5)});
+  EXPECT_FALSE(local.unobservable_direction);
+  EXPECT_NEAR(local.robot_in_local.pose.x, 2.1, 0.005);
+  EXPECT_NEAR(local.robot_in_local.pose.y, 1.5, 0.005);
+  EXPECT_NEAR(local.robot_in_local.pose.a, 0.0, degrees(0.2));
+}
+
 TEST(Registration, WithoutWallsOdometryRules) {
   Session session;
   session.see_often(room(), 5, {2.0, 1.5, 0.0});
