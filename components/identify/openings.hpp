@@ -45,9 +45,9 @@ struct OpeningParameters {
                                  ///< of the line between two jambs
   double max_jamb_length = 1.2;  ///< [m] of the shorter of two jambs between which the robot
                                  ///< stands; more takes the ends of corridors
-  double end_tolerance = 0.1;       ///< [m] along the opening, from each end, where a wall that
-                                    ///< only touches the line does not shut it (a jamb); for a
-                                    ///< face also how far its own ends must be
+  double end_tolerance = 0.1;    ///< [m] along the opening, from each end, where a wall that
+                                 ///< only touches the line does not shut it (a jamb); for a
+                                 ///< face also how far its own ends must be
   double shut_depth_behind = 0.4;   ///< [m] a wall across the opening this close behind its walls'
                                     ///< faces shuts it; more loses doors onto narrow corridors
   double shut_depth_before = 0.1;   ///< [m] the same before the faces
