@@ -6,14 +6,6 @@
 namespace perceptor::merge {
 namespace {
 
-/// Across the wall the line says how well the end is known, along it the end itself.
-Eigen::Matrix2d end_covariance(const Wall& wall, const Line& line, std::size_t end) {
-  const double to_end = end == kHead ? line.length / 2.0 : -line.length / 2.0;
-  const double across = moved_along(wall.covariance, to_end)(0, 0);
-  return wall.ends[end].variance * line.along * line.along.transpose() +
-         across * line.normal * line.normal.transpose();
-}
-
 void fill_point(Point& point, const Wall& wall, const Line& line, std::size_t end,
                 double end_sigma) {
   point.covariance = end_covariance(wall, line, end);

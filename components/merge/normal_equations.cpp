@@ -12,14 +12,6 @@ double cauchy_weight(double sigmas_squared, double outlier_sigmas) {
   return 1.0 / (1.0 + sigmas_squared / square(outlier_sigmas));
 }
 
-/// [m^2] of an end, in the plane.
-Eigen::Matrix2d end_covariance(const Wall& wall, const Line& line, std::size_t end) {
-  const double to_end = end == kHead ? line.length / 2.0 : -line.length / 2.0;
-  const double across = moved_along(wall.covariance, to_end)(0, 0);
-  return wall.ends[end].variance * line.along * line.along.transpose() +
-         across * line.normal * line.normal.transpose();
-}
-
 }  // namespace
 
 void add_line(NormalEquations& equations, const Position& robot_in_local, const Wall& sighted,

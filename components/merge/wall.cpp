@@ -24,6 +24,13 @@ Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along) {
   return move * covariance * move.transpose();
 }
 
+Eigen::Matrix2d end_covariance(const Wall& wall, const Line& line, std::size_t end) {
+  const double to_end = end == kHead ? line.length / 2.0 : -line.length / 2.0;
+  const double across = moved_along(wall.covariance, to_end)(0, 0);
+  return wall.ends[end].variance * line.along * line.along.transpose() +
+         across * line.normal * line.normal.transpose();
+}
+
 void set_ends(Wall& wall, const Segment& segment) {
   const Line before = line_of(wall.segment);
   const double shift = before.along.dot(middle(segment) - before.middle);

@@ -68,6 +68,10 @@ double turn_between(const Line& from, const Line& to);
 /// The covariance of a line, moved `along` metres along it.
 Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along);
 
+/// [m^2] of an end: across the wall its line says how well it is known, along it the end itself.
+/// `line` is the wall's, in the frame that is asked for.
+Eigen::Matrix2d end_covariance(const Wall& wall, const Line& line, std::size_t end);
+
 /// Moves the ends of a wall. Its line covariance follows the middle.
 void set_ends(Wall& wall, const Segment& segment);
 
