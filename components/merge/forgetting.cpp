@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "common/time/stamp.hpp"
 
 namespace perceptor::merge {
 namespace {
+
+double length_of(const Interval& interval) { return interval.to - interval.from; }
 
 /// The part of a wall between two places, in metres from its tail. An end that was cut is only
 /// known to be where the opening begins.
@@ -51,6 +54,37 @@ Interval with_margins(Interval opening, double wall_length, double margin) {
   return opening;
 }
 
+/// The weight does not bear one more scan that speaks against the wall.
+bool is_used_up(const Wall& wall, const ForgettingParameters& parameters) {
+  return wall.weight * parameters.factor < parameters.min_weight;
+}
+
+/// Halves the weight of the walls that have a piece against them, and cuts it out of the tentative
+/// ones and of those whose weight is used up: a shorter wall, two, or none remain.
+void weaken(std::vector<Wall>& walls, const std::vector<std::optional<Interval>>& against,
+            std::int32_t& next_id, const ForgettingParameters& parameters) {
+  std::vector<Wall> added;
+  for (std::size_t i = 0; i < against.size(); ++i) {
+    if (!against[i]) continue;
+    Wall& wall = walls[i];
+    const bool withstands = wall.confirmed && !is_used_up(wall, parameters);
+    wall.weight *= parameters.factor;
+    if (withstands) continue;
+
+    const Interval widened =
+        with_margins(*against[i], length(wall.segment), 2.0 * parameters.sees_through.end_margin);
+    const std::vector<Wall> pieces = cut(wall, widened, parameters.min_piece);
+    wall.remove = pieces.empty();
+    if (!pieces.empty()) wall = pieces.front();
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
+      added.push_back(pieces[k]);
+      added.back().id = next_id++;
+    }
+  }
+  walls.insert(walls.end(), added.begin(), added.end());
+  remove_marked(walls);
+}
+
 bool was_seen_steadily(const Wall& wall, const ConfirmationParameters& parameters) {
   return seconds_between(wall.first_seen, wall.last_seen) >= parameters.min_time &&
          wall.sightings >= parameters.min_share * wall.scans;
@@ -70,7 +104,8 @@ void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newl
     for (const WallEnd& end : walls[i].ends) {
       if (end.connected == kNone) continue;
       const std::size_t neighbour = index_of(end.connected);
-      if (walls[neighbour].confirmed || !was_seen_steadily(walls[neighbour], parameters)) continue;
+      const Wall& wall = walls[neighbour];
+      if (wall.confirmed || wall.contested || !was_seen_steadily(wall, parameters)) continue;
       walls[neighbour].confirmed = true;
       walls[neighbour].is_new = true;
       newly_confirmed.push_back(neighbour);
@@ -83,26 +118,46 @@ void confirm_neighbours(std::vector<Wall>& walls, std::vector<std::size_t>& newl
 void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sighted,
                          const Vector2& laser, std::int32_t& next_id,
                          const ForgettingParameters& parameters) {
-  std::vector<Wall> added;
+  std::vector<std::optional<Interval>> openings;
+  openings.reserve(walls.size());
   for (Wall& wall : walls) {
-    const auto opening = widest_opening(wall.segment, laser, sighted, parameters.sees_through);
-    wall.doubted = opening.has_value();
-    if (!opening) continue;
-    wall.weight *= parameters.factor;
-    const bool withstands = wall.confirmed && wall.weight >= parameters.min_weight;
-    if (withstands) continue;
+    openings.push_back(widest_opening(wall.segment, laser, sighted, parameters.sees_through));
+    wall.doubted = wall.doubted || openings.back();
+  }
+  weaken(walls, openings, next_id, parameters);
+}
 
-    const Interval widened =
-        with_margins(*opening, length(wall.segment), 2.0 * parameters.sees_through.end_margin);
-    const std::vector<Wall> pieces = cut(wall, widened, parameters.min_piece);
-    wall.remove = pieces.empty();
-    if (!pieces.empty()) wall = pieces.front();
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-      added.push_back(pieces[i]);
-      added.back().id = next_id++;
+void forget_contradicted(std::vector<Wall>& walls, const std::vector<Observation>& seen,
+                         const Vector2& laser, std::int32_t& next_id,
+                         const ForgettingParameters& parameters,
+                         const ConfirmationParameters& confirmation) {
+  std::vector<std::optional<Interval>> pieces(walls.size());
+  for (const Contradiction& found : contradictions(walls, seen, laser, parameters.rivals)) {
+    const Wall& wall = walls[found.wall];
+    Wall& rival = walls[found.rival];
+    const bool is_certain = rival.confirmed || was_seen_steadily(rival, confirmation);
+    const bool stays = wall.confirmed && !(is_certain && is_used_up(wall, parameters));
+    if (stays && !rival.confirmed) rival.contested = true;
+    std::optional<Interval>& piece = pieces[found.wall];
+    if (is_certain && (!piece || length_of(found.piece) > length_of(*piece))) piece = found.piece;
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) walls[i].doubted = pieces[i].has_value();
+  weaken(walls, pieces, next_id, parameters);
+}
+
+void make_room(std::vector<Wall>& walls, const ForgettingParameters& parameters,
+               const ConfirmationParameters& confirmation) {
+  for (Wall& wall : walls) {
+    if (wall.confirmed || wall.contested || !was_seen_steadily(wall, confirmation)) continue;
+    const Interval free = free_piece(wall, walls, parameters.rivals);
+    const bool is_whole = length_of(free) >= length(wall.segment);
+    wall.remove = length_of(free) < parameters.min_piece;
+    if (!is_whole && !wall.remove) {
+      const Wall whole = wall;
+      wall = piece_of(whole, free);
+      give_radius(wall, whole);
     }
   }
-  walls.insert(walls.end(), added.begin(), added.end());
   remove_marked(walls);
 }
 
@@ -112,7 +167,7 @@ void confirm(std::vector<Wall>& walls, const ConfirmationParameters& parameters)
     Wall& wall = walls[i];
     const bool is_certain =
         wall.sightings >= parameters.sightings && was_seen_steadily(wall, parameters);
-    if (!wall.confirmed && is_certain) {
+    if (!wall.confirmed && !wall.contested && is_certain) {
       wall.confirmed = true;
       wall.is_new = true;
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "components/merge/rivals.hpp"
 #include "components/merge/sees_through.hpp"
 #include "components/merge/wall.hpp"
 
@@ -22,6 +23,7 @@ struct ConfirmationParameters {
 
 struct ForgettingParameters {
   SeesThroughParameters sees_through;
+  RivalParameters rivals;
   double factor = 0.5;      ///< of a wall's weight kept by each scan that sees through it
   double min_weight = 1.0;  ///< below it the piece that is seen through goes
   double min_piece = 0.2;   ///< [m] what is left of a wall beside the opening stays if longer
@@ -34,6 +36,18 @@ struct ForgettingParameters {
 void forget_seen_through(std::vector<Wall>& walls, const std::vector<Wall>& sighted,
                          const Vector2& laser, std::int32_t& next_id,
                          const ForgettingParameters& parameters);
+
+/// The same for the piece of a wall in whose place the scan saw another one, if that is confirmed
+/// or was seen steadily; one that is not confirmed has to wait. `seen` are the observations of this
+/// scan.
+void forget_contradicted(std::vector<Wall>& walls, const std::vector<Observation>& seen,
+                         const Vector2& laser, std::int32_t& next_id,
+                         const ForgettingParameters& parameters,
+                         const ConfirmationParameters& confirmation);
+
+/// What is about to be confirmed ends where another confirmed wall stands in its place.
+void make_room(std::vector<Wall>& walls, const ForgettingParameters& parameters,
+               const ConfirmationParameters& confirmation);
 
 /// Confirms the walls that were seen often enough over a long enough time. One that is connected
 /// to a confirmed wall, however many walls lie between, needs the time and the share but not the

@@ -127,6 +127,7 @@ void merge_evidence(Wall& fused, const Wall& other, const FusionParameters& para
   fused.scans = std::max(fused.scans, other.scans);
   fused.first_seen = std::min(fused.first_seen, other.first_seen);
   fused.last_seen = std::max(fused.last_seen, other.last_seen);
+  fused.contested = fused.contested && !is_new_sighting;
   fused.is_new = fused.confirmed ? fused.is_new : other.is_new;
   fused.confirmed = fused.confirmed || other.confirmed;
 }

@@ -121,8 +121,18 @@ void describe(config::Fields& fields, SeesThroughParameters& p) {
   fields.number("min_distance", p.min_distance, {1e-3, 10.0}, "[m] of the laser from the line");
 }
 
+void describe(config::Fields& fields, RivalParameters& p) {
+  fields.number(
+      "max_distance", p.max_distance, kMetres,
+      "[m] walls of one side that lie closer, one behind the other, cannot both be there");
+  fields.number("max_angle", p.max_angle, kAngle, "[rad] between the two");
+  fields.number("min_overlap", p.min_overlap, kMetres, "[m] along the wall");
+  fields.integer("min_beams", p.min_beams, {1, 1000}, "that ended on the one seen last, there");
+}
+
 void describe(config::Fields& fields, ForgettingParameters& p) {
   fields.group("sees_through", p.sees_through, "when beams pass through a wall");
+  fields.group("rivals", p.rivals, "when another wall was seen in the place of a wall");
   fields.number("factor", p.factor, {0.0, 0.999},
                 "of a wall's weight kept by each scan that sees through it");
   fields.number("min_weight", p.min_weight, {0.0, 1e6}, "below it what is seen through goes");

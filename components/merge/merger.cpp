@@ -40,11 +40,15 @@ bool is_doorway_between(const Line& p, const Line& q, const std::vector<Wall>& s
   return gap && widest_opening(*gap, laser, sighted, parameters);
 }
 
-/// Corners of a wall that was merged are corners of the wall that it became part of.
-void rename(std::vector<Wall>& walls, std::int32_t from, std::int32_t to) {
+/// Corners of a wall that was merged are corners of the wall that it became part of, and what was
+/// seen of it is.
+void rename(std::vector<Wall>& walls, std::vector<Observation>& seen, std::int32_t from,
+            std::int32_t to) {
   for (Wall& wall : walls)
     for (WallEnd& end : wall.ends)
       if (end.connected == from) end.connected = to;
+  for (Observation& observation : seen)
+    if (observation.wall == from) observation.wall = to;
 }
 
 }  // namespace
@@ -101,8 +105,11 @@ void Merger::merge_scan(const std::vector<Wall>& sighted_in_robot,
   const Vector2 laser = perceptor::transform(robot_in_local.pose, scan.laser_in_robot.location());
   for (Wall& wall : walls_) ++wall.scans;
   forget_seen_through(walls_, sighted, laser, next_id_, parameters_.forgetting);
-  merge_sighted(sighted, laser);
-  merge_doubles(sighted, laser, scan.utime);
+  std::vector<Observation> seen = merge_sighted(sighted, laser);
+  merge_doubles(sighted, laser, scan.utime, seen);
+  forget_contradicted(walls_, seen, laser, next_id_, parameters_.forgetting,
+                      parameters_.confirmation);
+  make_room(walls_, parameters_.forgetting, parameters_.confirmation);
   connect_corners(walls_, parameters_.corners, parameters_.fusion.ends);
   forget_short(walls_, parameters_.sighting.min_length);
   confirm(walls_, parameters_.confirmation);
@@ -112,30 +119,37 @@ void Merger::merge_scan(const std::vector<Wall>& sighted_in_robot,
 
 /// Every sighted wall is matched with the map as it was before the scan, so that the order of
 /// the walls does not matter; then it is fused with its match, or begins as a tentative wall.
-void Merger::merge_sighted(const std::vector<Wall>& sighted, const Vector2& laser) {
+std::vector<Observation> Merger::merge_sighted(const std::vector<Wall>& sighted,
+                                               const Vector2& laser) {
   const std::vector<Line> lines = lines_of(walls_);
   const std::vector<Match> matches =
       match_walls(sighted, walls_, lines, laser, parameters_.same_wall);
-  std::vector<bool> is_fused(sighted.size(), false);
+  std::vector<Observation> seen;
+  seen.reserve(sighted.size());
+  for (const Wall& wall : sighted) seen.push_back({kNone, wall.segment, wall.support});
   for (const Match& match : matches) {
     const Wall& wall = sighted[match.sighted];
     if (is_doorway_between(lines[match.known], line_of(wall.segment), sighted, laser,
                            parameters_.forgetting.sees_through))
       continue;
     Wall& known = walls_[match.known];
-    known = fuse(known, wall, parameters_.fusion);
-    is_fused[match.sighted] = true;
+    known = fuse(known,
+                 clear_of_rivals(wall, match.known, walls_, lines, parameters_.forgetting.rivals),
+                 parameters_.fusion);
+    seen[match.sighted].wall = known.id;
   }
   for (std::size_t i = 0; i < sighted.size(); ++i) {
-    if (is_fused[i]) continue;
+    if (seen[i].wall != kNone) continue;
     walls_.push_back(sighted[i]);
     walls_.back().id = next_id_++;
+    seen[i].wall = walls_.back().id;
   }
+  return seen;
 }
 
 /// Walls that this scan touched may have grown together with others. The older one stays.
 void Merger::merge_doubles(const std::vector<Wall>& sighted, const Vector2& laser,
-                           std::int64_t utime) {
+                           std::int64_t utime, std::vector<Observation>& seen) {
   std::vector<Line> lines = lines_of(walls_);
   const auto are_one = [&](std::size_t i, std::size_t j) {
     const bool is_touched = walls_[i].last_seen == utime || walls_[j].last_seen == utime;
@@ -152,7 +166,7 @@ void Merger::merge_doubles(const std::vector<Wall>& sighted, const Vector2& lase
       walls_[i] = fuse(walls_[i], walls_[j], parameters_.fusion);
       lines[i] = line_of(walls_[i].segment);
       walls_[j].remove = true;
-      rename(walls_, walls_[j].id, walls_[i].id);
+      rename(walls_, seen, walls_[j].id, walls_[i].id);
       j = i;  // the grown wall may reach further ones
     }
   }

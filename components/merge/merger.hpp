@@ -71,8 +71,9 @@ class Merger {
   bool is_to_be_merged(const Registration& registration);
   void merge_scan(const std::vector<Wall>& sighted, const PoseEstimate& robot_in_local,
                   const ScanMap& scan);
-  void merge_sighted(const std::vector<Wall>& sighted, const Vector2& laser);
-  void merge_doubles(const std::vector<Wall>& sighted, const Vector2& laser, std::int64_t utime);
+  std::vector<Observation> merge_sighted(const std::vector<Wall>& sighted, const Vector2& laser);
+  void merge_doubles(const std::vector<Wall>& sighted, const Vector2& laser, std::int64_t utime,
+                     std::vector<Observation>& seen);
 
   MergeParameters parameters_;
   std::vector<Wall> walls_;

@@ -48,8 +48,9 @@ struct Wall {
   std::int64_t last_seen = 0;   ///< [us]
   bool confirmed = false;       ///< else tentative, and not published
   bool is_new = false;          ///< confirmed by the last scan
-  bool doubted = false;         ///< seen through by the last scan
-  bool remove = false;          ///< taken out at the end of the step
+  bool doubted = false;    ///< seen through, or another wall seen in its place, by the last scan
+  bool contested = false;  ///< stands in the place of a confirmed wall, and has to wait
+  bool remove = false;     ///< taken out at the end of the step
 };
 
 /// The axes of a wall, computed once for many comparisons.
