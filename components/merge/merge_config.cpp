@@ -127,6 +127,8 @@ void describe(config::Fields& fields, RivalParameters& p) {
       "[m] walls of one side that lie closer, one behind the other, cannot both be there");
   fields.number("max_angle", p.max_angle, kAngle, "[rad] between the two");
   fields.number("min_overlap", p.min_overlap, kMetres, "[m] along the wall");
+  fields.number("min_thickness", p.min_thickness, kMetres,
+                "[m] of what has a back: then the other one may stand behind it");
   fields.integer("min_beams", p.min_beams, {1, 1000}, "that ended on the one seen last, there");
 }
 

@@ -38,18 +38,58 @@ Interval extent_on(const Line& line, const Line& other) {
 
 Interval extent_of(const Line& line) { return {-line.length / 2.0, line.length / 2.0}; }
 
-/// The piece of `line` in whose place the other one lies.
-std::optional<Interval> common_piece(const Line& line, const Line& other,
-                                     const RivalParameters& parameters) {
+/// [m] how far the other, nearly parallel line lies to the left of a place on this one.
+double distance_at(const Line& line, double place, const Line& other) {
+  return other.normal.dot(other.middle - point_at(line, place)) / other.normal.dot(line.normal);
+}
+
+/// A line in whose place another one lies.
+struct Overlap {
+  Interval piece;         ///< [m] along the line, from its middle
+  double distance = 0.0;  ///< [m] of the other one, to the left, in the middle of the piece
+};
+
+std::optional<Overlap> overlap(const Line& line, const Line& other,
+                               const RivalParameters& parameters) {
   const double reach = (line.length + other.length) / 2.0 + parameters.max_distance;
   if ((other.middle - line.middle).squaredNorm() > reach * reach) return std::nullopt;
   if (line.along.dot(other.along) < std::cos(parameters.max_angle)) return std::nullopt;
   const Interval piece = intersection(extent_of(line), extent_on(line, other));
   if (length_of(piece) < parameters.min_overlap) return std::nullopt;
-  const Vector2 middle = point_at(line, (piece.from + piece.to) / 2.0);
-  if (std::abs(other.normal.dot(middle - other.middle)) > parameters.max_distance)
-    return std::nullopt;
-  return piece;
+  const double distance = distance_at(line, (piece.from + piece.to) / 2.0, other);
+  if (std::abs(distance) > parameters.max_distance) return std::nullopt;
+  return Overlap{piece, distance};
+}
+
+/// Between two surfaces that are free on the same side there is a third that is free on the other:
+/// what stands in front has a back.
+bool has_back(const Line& line, const Overlap& rival, const std::vector<Wall>& walls,
+              const RivalParameters& parameters) {
+  const Interval& piece = rival.piece;
+  const double middle = (piece.from + piece.to) / 2.0;
+  return std::ranges::any_of(walls, [&](const Wall& wall) {
+    const Line back = line_of(wall.segment);
+    if (line.along.dot(back.along) > -std::cos(parameters.max_angle)) return false;
+    const double to_back = std::copysign(1.0, rival.distance) * distance_at(line, middle, back);
+    return to_back > parameters.min_thickness &&
+           to_back < std::abs(rival.distance) - parameters.min_thickness &&
+           length_of(intersection(piece, extent_on(line, back))) > length_of(piece) / 2.0;
+  });
+}
+
+/// The ray from the laser to a point passes through the line, not just past its ends.
+bool crosses(const Line& line, const Vector2& laser, const Vector2& point, double margin) {
+  const double before = line.normal.dot(laser - line.middle);
+  const double behind = line.normal.dot(point - line.middle);
+  if (before * behind >= 0.0) return false;
+  const Vector2 crossing = laser + before / (before - behind) * (point - laser);
+  return std::abs(place_on(line, crossing)) < line.length / 2.0 - margin;
+}
+
+bool looks_through(const Line& line, const Vector2& laser, const Segment& part,
+                   const RivalParameters& parameters) {
+  const double margin = parameters.min_overlap / 2.0;
+  return crosses(line, laser, part.a, margin) || crosses(line, laser, part.b, margin);
 }
 
 double angle_seen(const Segment& segment, const Vector2& laser) {
@@ -92,12 +132,15 @@ std::vector<Contradiction> contradictions(const std::vector<Wall>& walls,
     };
     for (std::size_t k = 0; k < seen.size(); ++k) {
       if (seen[k].wall == walls[i].id) continue;
-      const auto common = common_piece(line, lines_seen[k], parameters);
-      if (!common) continue;
-      const Interval piece = without_what_is_seen(*common);
+      const auto rival = overlap(line, lines_seen[k], parameters);
+      if (!rival) continue;
+      const Interval piece = without_what_is_seen(rival->piece);
       if (length_of(piece) < parameters.min_overlap) continue;
       const Segment part = beside(lines_seen[k], line, piece);
       if (beams_on(seen[k], part, laser) < parameters.min_beams) continue;
+      if (!looks_through(line, laser, part, parameters) &&
+          has_back(line, *rival, walls, parameters))
+        continue;
       const double from_tail = line.length / 2.0;
       found.push_back({i, index_of(seen[k].wall), {piece.from + from_tail, piece.to + from_tail}});
     }
@@ -113,11 +156,11 @@ Wall clear_of_rivals(const Wall& sighted, std::size_t known, const std::vector<W
   Interval kept = whole;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (i == known || !walls[i].confirmed) continue;
-    const auto piece = common_piece(line, lines[i], parameters);
-    if (!piece) continue;
-    if (piece->to > of_known.to) kept.to = std::min(kept.to, std::max(of_known.to, piece->from));
-    if (piece->from < of_known.from)
-      kept.from = std::max(kept.from, std::min(of_known.from, piece->to));
+    const auto rival = overlap(line, lines[i], parameters);
+    if (!rival || has_back(line, *rival, walls, parameters)) continue;
+    const auto [from, to] = rival->piece;
+    if (to > of_known.to) kept.to = std::min(kept.to, std::max(of_known.to, from));
+    if (from < of_known.from) kept.from = std::max(kept.from, std::min(of_known.from, to));
   }
   Wall clear = sighted;
   if (kept.from > whole.from) clear.ends[kTail].method = CornerMethod::none;
@@ -132,8 +175,8 @@ Interval free_piece(const Wall& wall, const std::vector<Wall>& walls,
   Interval free = extent_of(line);
   for (const Wall& other : walls) {
     if (!other.confirmed || other.id == wall.id) continue;
-    const auto piece = common_piece(line, line_of(other.segment), parameters);
-    if (piece) free = longer_rest(free, *piece);
+    const auto rival = overlap(line, line_of(other.segment), parameters);
+    if (rival && !has_back(line, *rival, walls, parameters)) free = longer_rest(free, rival->piece);
   }
   const double from_tail = line.length / 2.0;
   return {free.from + from_tail, free.to + from_tail};

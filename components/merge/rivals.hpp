@@ -1,8 +1,8 @@
 /// @file Two walls of the map that cannot both be there: free on the same side and the one closely
-/// behind the other, so that nobody could have seen the one behind. They come from a pose that
-/// drifted, from a recess that was seen at a grazing angle before it was looked into, from
-/// something flat that was put before a wall. What was seen last is right, once it was seen
-/// steadily; until then the wall that is known stays, and the other one waits.
+/// behind the other without a back between them, so that nobody could have seen the one behind.
+/// They come from a pose that drifted, from a recess that was seen at a grazing angle before it was
+/// looked into, from something flat that was put before a wall. What was seen last is right, once
+/// it was seen steadily; until then the wall that is known stays, and the other one waits.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,12 @@
 namespace perceptor::merge {
 
 struct RivalParameters {
-  double max_distance = 0.3;  ///< [m] between the two; more leaves room for two walls
-  double max_angle = 0.25;    ///< [rad] between the two
-  double min_overlap = 0.2;   ///< [m] along the wall; less is a joint of two pieces
-  int min_beams = 5;          ///< of the scan that ended on the rival there; a wall seen at a
-                              ///< grazing angle has few before a recess
+  double max_distance = 0.3;    ///< [m] between the two; more leaves room for two walls
+  double max_angle = 0.25;      ///< [rad] between the two
+  double min_overlap = 0.2;     ///< [m] along the wall; less is a joint of two pieces
+  double min_thickness = 0.05;  ///< [m] of what has a back: two walls can be there then
+  int min_beams = 5;            ///< of the scan that ended on the rival there; a wall seen at a
+                                ///< grazing angle has few before a recess
 };
 
 /// What one scan saw of a wall.

@@ -52,6 +52,19 @@ TEST(Rivals, OppositeFacesAreNoRivals) {
   EXPECT_TRUE(against(kWall, {{1.5, 3.05}, {2.5, 3.05}}).empty());
 }
 
+TEST(Rivals, ThereIsRoomForWhatStandsBehindAWallWithABack) {
+  // A box behind a thick wall, both free on the side of the laser, and the back of the wall.
+  const std::vector<Wall> walls = {known_wall(0, {{2.5, 3.25}, {1.5, 3.25}}), known_wall(1, kWall),
+                                   known_wall(2, {{1.0, 3.15}, {3.0, 3.15}})};
+  const Observation of_wall{1, kWall, 40};
+  const Observation of_box{0, walls[0].segment, 40};
+  EXPECT_TRUE(contradictions(walls, {of_wall}, kLaser, kParameters).empty());
+  EXPECT_EQ(contradictions(walls, {of_box}, kLaser, kParameters).size(), 1U)
+      << "the wall is looked through";
+  const Vector2 beside_the_wall{4.5, 3.4};
+  EXPECT_TRUE(contradictions(walls, {of_box}, beside_the_wall, kParameters).empty());
+}
+
 TEST(Rivals, FewBeamsSayNothing) {
   EXPECT_FALSE(against(kWall, {{2.5, 3.15}, {1.5, 3.15}}, 5).empty());
   EXPECT_TRUE(against(kWall, {{2.5, 3.15}, {1.5, 3.15}}, 4).empty());
