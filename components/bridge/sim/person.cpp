@@ -48,8 +48,15 @@ void Person::walk(double metres) {
 
 void Person::turn_back() {
   waited_ = 0.0;
-  outbound_ = !outbound_;
-  target_ = outbound_ ? target_ + 1 : target_ - 1;
+  const bool outbound = !outbound_;
+  std::size_t target = outbound ? target_ + 1 : target_ - 1;
+  if (location_ == parameters_.path[target]) {
+    const bool is_at_an_end = outbound ? target + 1 == parameters_.path.size() : target == 0;
+    if (is_at_an_end) return;  // nowhere else to go
+    target = outbound ? target + 1 : target - 1;
+  }
+  outbound_ = outbound;
+  target_ = target;
   face_target();
 }
 

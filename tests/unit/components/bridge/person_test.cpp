@@ -48,6 +48,25 @@ TEST(Person, WaitsForARobotAheadAndTurnsBackAtLast) {
   EXPECT_LT(person.body().centre.x(), 0.9);
 }
 
+TEST(Person, TurnsBackOnAWayPointToo) {
+  PersonParameters parameters = walker();
+  parameters.path = {{0.0, 0.0}, {2.0, 0.0}, {4.0, 0.0}};
+  Person person = person_of(parameters);
+  const Vector2 way_point{2.0, 0.0};
+  for (int i = 0; i < 1000 && person.body().centre != way_point; ++i) walk(person, tick);
+  ASSERT_EQ(person.body().centre, way_point);
+  walk(person, 4.0, {2.5, 0.0});
+  EXPECT_LT(person.body().centre.x(), 1.1);
+}
+
+TEST(Person, AtTheEndOfThePathThereIsNowhereToTurn) {
+  Person person = person_of(walker());
+  walk(person, 10.0, {0.5, 0.0});
+  EXPECT_EQ(person.body().centre, Vector2(0.0, 0.0));
+  walk(person, 1.0);
+  EXPECT_NEAR(person.body().centre.x(), 1.0, 0.01);
+}
+
 TEST(Person, DoesNotCareForARobotBehind) {
   Person person = person_of(walker());
   walk(person, 2.0, {-0.3, 0.0});
