@@ -1,32 +1,19 @@
 /// @file The sides of a hallway, seen along it from the robot. Parts of hallway.cpp.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "common/geometry/interval.hpp"
 #include "components/identify/hallway.hpp"
 
 namespace perceptor::identify {
 
-/// From where to where [m], along the hallway.
-struct Interval {
-  double from = 0.0;
-  double to = 0.0;
-
-  double length() const { return to - from; }
-  bool contains(double place) const { return from <= place && place <= to; }
-};
-
-inline Interval common_part(const Interval& a, const Interval& b) {
-  return {std::max(a.from, b.from), std::min(a.to, b.to)};
-}
-
 /// A wall of a side, seen along the hallway from the robot.
 struct Piece {
   const Wall* wall = nullptr;
-  Interval along;
+  Interval along;                  ///< [m] along the hallway
   std::array<double, 2> offset{};  ///< [m] to the left, at the interval's ends
 
   double middle_offset() const { return 0.5 * (offset[0] + offset[1]); }

@@ -10,8 +10,6 @@
 namespace perceptor::merge {
 namespace {
 
-double length_of(const Interval& interval) { return interval.to - interval.from; }
-
 /// The part of a wall between two places, in metres from its tail. An end that was cut is only
 /// known to be where the opening begins.
 Wall piece_of(const Wall& wall, const Interval& part) {
@@ -139,7 +137,7 @@ void forget_contradicted(std::vector<Wall>& walls, const std::vector<Observation
     const bool stays = wall.confirmed && !(is_certain && is_used_up(wall, parameters));
     if (stays && !rival.confirmed) rival.contested = true;
     std::optional<Interval>& piece = pieces[found.wall];
-    if (is_certain && (!piece || length_of(found.piece) > length_of(*piece))) piece = found.piece;
+    if (is_certain && (!piece || found.piece.length() > piece->length())) piece = found.piece;
   }
   for (std::size_t i = 0; i < walls.size(); ++i) walls[i].doubted = pieces[i].has_value();
   weaken(walls, pieces, next_id, parameters);
@@ -150,8 +148,8 @@ void make_room(std::vector<Wall>& walls, const ForgettingParameters& parameters,
   for (Wall& wall : walls) {
     if (wall.confirmed || wall.contested || !was_seen_steadily(wall, confirmation)) continue;
     const Interval free = free_piece(wall, walls, parameters.rivals);
-    const bool is_whole = length_of(free) >= length(wall.segment);
-    wall.remove = length_of(free) < parameters.min_piece;
+    const bool is_whole = free.length() >= length(wall.segment);
+    wall.remove = free.length() < parameters.min_piece;
     if (!is_whole && !wall.remove) {
       const Wall whole = wall;
       wall = piece_of(whole, free);

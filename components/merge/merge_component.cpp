@@ -27,7 +27,7 @@ pico::map_t to_message(const pico::map_t& current, const merge::LocalMap& local,
     for (int column = 0; column < 3; ++column)
       message.robot_in_local_covariance[3 * row + column] =
           local.robot_in_local.covariance(row, column);
-  message.unobservable = local.unobservable_direction.has_value();
+  message.unobservable = local.unobservable_direction ? 1 : 0;
   message.unobservable_direction = local.unobservable_direction.value_or(0.0);
   return message;
 }

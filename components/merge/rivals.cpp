@@ -9,34 +9,13 @@
 namespace perceptor::merge {
 namespace {
 
-double length_of(const Interval& interval) { return interval.to - interval.from; }
-
-Interval intersection(const Interval& p, const Interval& q) {
-  return {std::max(p.from, q.from), std::min(p.to, q.to)};
-}
-
 /// What the other one leaves of an interval, on the side where it leaves more.
 Interval longer_rest(const Interval& interval, const Interval& other) {
-  if (length_of(intersection(interval, other)) <= 0.0) return interval;
+  if (common_part(interval, other).length() <= 0.0) return interval;
   const Interval before{interval.from, std::max(interval.from, other.from)};
   const Interval after{std::min(interval.to, other.to), interval.to};
-  return length_of(before) > length_of(after) ? before : after;
+  return before.length() > after.length() ? before : after;
 }
-
-/// [m] along a line, from its middle.
-double place_on(const Line& line, const Vector2& point) {
-  return line.along.dot(point - line.middle);
-}
-
-Vector2 point_at(const Line& line, double place) { return line.middle + place * line.along; }
-
-Interval extent_on(const Line& line, const Line& other) {
-  const double centre = place_on(line, other.middle);
-  const double half = std::abs(line.along.dot(other.along)) * other.length / 2.0;
-  return {centre - half, centre + half};
-}
-
-Interval extent_of(const Line& line) { return {-line.length / 2.0, line.length / 2.0}; }
 
 /// [m] how far the other, nearly parallel line lies to the left of a place on this one.
 double distance_at(const Line& line, double place, const Line& other) {
@@ -54,9 +33,9 @@ std::optional<Overlap> overlap(const Line& line, const Line& other,
   const double reach = (line.length + other.length) / 2.0 + parameters.max_distance;
   if ((other.middle - line.middle).squaredNorm() > reach * reach) return std::nullopt;
   if (line.along.dot(other.along) < std::cos(parameters.max_angle)) return std::nullopt;
-  const Interval piece = intersection(extent_of(line), extent_on(line, other));
-  if (length_of(piece) < parameters.min_overlap) return std::nullopt;
-  const double distance = distance_at(line, (piece.from + piece.to) / 2.0, other);
+  const Interval piece = common_part(extent_of(line), extent_on(line, other));
+  if (piece.length() < parameters.min_overlap) return std::nullopt;
+  const double distance = distance_at(line, piece.middle(), other);
   if (std::abs(distance) > parameters.max_distance) return std::nullopt;
   return Overlap{piece, distance};
 }
@@ -66,14 +45,14 @@ std::optional<Overlap> overlap(const Line& line, const Line& other,
 bool has_back(const Line& line, const Overlap& rival, const std::vector<Wall>& walls,
               const RivalParameters& parameters) {
   const Interval& piece = rival.piece;
-  const double middle = (piece.from + piece.to) / 2.0;
+  const double middle = piece.middle();
   return std::ranges::any_of(walls, [&](const Wall& wall) {
     const Line back = line_of(wall.segment);
     if (line.along.dot(back.along) > -std::cos(parameters.max_angle)) return false;
     const double to_back = std::copysign(1.0, rival.distance) * distance_at(line, middle, back);
     return to_back > parameters.min_thickness &&
            to_back < std::abs(rival.distance) - parameters.min_thickness &&
-           length_of(intersection(piece, extent_on(line, back))) > length_of(piece) / 2.0;
+           common_part(piece, extent_on(line, back)).length() > piece.length() / 2.0;
   });
 }
 
@@ -104,8 +83,8 @@ double beams_on(const Observation& seen, const Segment& part, const Vector2& las
 
 /// The part of one line beside a piece of another, nearly parallel one.
 Segment beside(const Line& line, const Line& other, const Interval& piece) {
-  const Interval part = intersection(extent_of(line), {place_on(line, point_at(other, piece.from)),
-                                                       place_on(line, point_at(other, piece.to))});
+  const Interval part = common_part(extent_of(line), {place_on(line, point_at(other, piece.from)),
+                                                      place_on(line, point_at(other, piece.to))});
   return {point_at(line, part.from), point_at(line, part.to)};
 }
 
@@ -135,7 +114,7 @@ std::vector<Contradiction> contradictions(const std::vector<Wall>& walls,
       const auto rival = overlap(line, lines_seen[k], parameters);
       if (!rival) continue;
       const Interval piece = without_what_is_seen(rival->piece);
-      if (length_of(piece) < parameters.min_overlap) continue;
+      if (piece.length() < parameters.min_overlap) continue;
       const Segment part = beside(lines_seen[k], line, piece);
       if (beams_on(seen[k], part, laser) < parameters.min_beams) continue;
       if (!looks_through(line, laser, part, parameters) &&

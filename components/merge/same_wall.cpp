@@ -6,19 +6,7 @@
 namespace perceptor::merge {
 namespace {
 
-/// Where along `line`, from its middle, the other one lies.
-struct Extent {
-  double from = 0.0;
-  double to = 0.0;
-};
-
-Extent extent_along(const Line& line, const Line& other) {
-  const double centre = line.along.dot(other.middle - line.middle);
-  const double half = std::abs(line.along.dot(other.along)) * other.length / 2.0;
-  return {centre - half, centre + half};
-}
-
-double gap_beside(const Line& line, const Extent& other) {
+double gap_beside(const Line& line, const Interval& other) {
   const double half = line.length / 2.0;
   return std::max({0.0, other.from - half, -half - other.to});
 }
@@ -73,7 +61,7 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
   if (std::abs(offset) > parameters.max_offset) return std::nullopt;
 
   Difference difference;
-  const Extent extent = extent_along(longer, shorter);
+  const Interval extent = extent_on(longer, shorter);
   difference.gap = gap_beside(longer, extent);
   if (difference.gap > parameters.max_gap) return std::nullopt;
   if (ends_before_gap(p, line_p, q, difference.gap, parameters)) return std::nullopt;
@@ -103,7 +91,7 @@ std::optional<Difference> compare(const Wall& p, const Line& line_p, const Wall&
 std::optional<Segment> gap_between(const Line& p, const Line& q) {
   const Line& longer = p.length >= q.length ? p : q;
   const Line& shorter = p.length >= q.length ? q : p;
-  const Extent extent = extent_along(longer, shorter);
+  const Interval extent = extent_on(longer, shorter);
   const double half = longer.length / 2.0;
   if (gap_beside(longer, extent) <= 0.0) return std::nullopt;
   const bool is_ahead = extent.from > half;

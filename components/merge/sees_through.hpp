@@ -17,14 +17,8 @@ struct SeesThroughParameters {
   double min_distance = 0.1;  ///< [m] of the laser from the wall's line: not along it
 };
 
-/// A piece of a wall, in metres from its tail.
-struct Interval {
-  double from = 0.0;
-  double to = 0.0;
-};
-
-/// The piece of `screen` through which rays from `laser` reach `target`; all in one frame.
-/// None where it is narrower than min_width.
+/// The piece of `screen` through which rays from `laser` reach `target`, in metres from the
+/// screen's tail; all in one frame. None where it is narrower than min_width.
 std::optional<Interval> passed_through(const Segment& screen, const Vector2& laser,
                                        const Segment& target,
                                        const SeesThroughParameters& parameters);

@@ -5,19 +5,6 @@
 
 namespace perceptor::merge {
 
-Line line_of(const Segment& segment) {
-  Line line;
-  line.middle = middle(segment);
-  line.along = direction(segment);
-  line.normal = perpendicular(line.along);
-  line.length = length(segment);
-  return line;
-}
-
-double turn_between(const Line& from, const Line& to) {
-  return std::atan2(cross(from.along, to.along), from.along.dot(to.along));
-}
-
 Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along) {
   Eigen::Matrix2d move;
   move << 1.0, along, 0.0, 1.0;

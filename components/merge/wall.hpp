@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/line.hpp"
 #include "common/model/map.hpp"
 
 namespace perceptor::merge {
@@ -52,19 +53,6 @@ struct Wall {
   bool contested = false;  ///< stands in the place of a confirmed wall, and has to wait
   bool remove = false;     ///< taken out at the end of the step
 };
-
-/// The axes of a wall, computed once for many comparisons.
-struct Line {
-  Vector2 middle = Vector2::Zero();
-  Vector2 along = Vector2::Zero();   ///< from tail to head
-  Vector2 normal = Vector2::Zero();  ///< towards free space
-  double length = 0.0;               ///< [m]
-};
-
-Line line_of(const Segment& segment);
-
-/// From the direction of one line to that of the other, in (-pi, pi].
-double turn_between(const Line& from, const Line& to);
 
 /// The covariance of a line, moved `along` metres along it.
 Eigen::Matrix2d moved_along(const Eigen::Matrix2d& covariance, double along);
