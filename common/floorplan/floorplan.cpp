@@ -8,6 +8,7 @@
 #include "common/config/json_file.hpp"
 #include "common/config/place.hpp"
 #include "common/config/reader.hpp"
+#include "common/floorplan/outline.hpp"
 
 namespace perceptor {
 namespace {
@@ -17,6 +18,7 @@ using nlohmann::json;
 
 constexpr std::string_view kComment = "_comment";
 constexpr config::Range kCoordinate = {-1e4, 1e4};  // [m] no building is larger
+constexpr std::size_t kMostEdges = 20'000;          // of all kinds together: nor has more
 
 void ignore(const Place& place, Floorplan& plan) { plan.ignored.push_back(place.pointer); }
 
@@ -77,6 +79,22 @@ std::vector<std::vector<Floorplan::Edge>> read_outlines(const json& document, co
   return outlines;
 }
 
+void check_size(const Place& whole, const Floorplan& plan) {
+  std::size_t edges = plan.walls.size();
+  for (const auto* outlines : {&plan.cabinets, &plan.doors, &plan.start_area})
+    for (const auto& outline : *outlines) edges += outline.size();
+  if (edges > kMostEdges)
+    config::fail(whole, "has " + std::to_string(edges) + " walls and edges; allowed: at most " +
+                            std::to_string(kMostEdges));
+}
+
+void check_cabinets(const json& document, const Place& whole, const Floorplan& plan) {
+  for (std::size_t i = 0; i < plan.cabinets.size(); ++i)
+    if (!find_corners(plan, plan.cabinets[i]))
+      config::fail(whole.key("cabinets").item(i), document.at("cabinets")[i],
+                   "sides that follow each other around one cabinet, in any order");
+}
+
 const json& require_key(const json& document, const Place& whole, const std::string& key) {
   const auto found = document.find(key);
   if (found == document.end()) config::fail(whole.key(key), "is missing; allowed: a list");
@@ -107,6 +125,8 @@ Floorplan read_floorplan(const std::filesystem::path& file) {
   plan.cabinets = read_outlines(document, whole, "cabinets", plan);
   plan.doors = read_outlines(document, whole, "doors", plan);
   plan.start_area = read_outlines(document, whole, "start_area", plan);
+  check_size(whole, plan);
+  check_cabinets(document, whole, plan);
   return plan;
 }
 

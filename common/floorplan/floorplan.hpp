@@ -27,8 +27,8 @@ struct Floorplan {
 };
 
 /// Throws config::Error (file, JSON pointer, value, what is allowed) where the file cannot be
-/// read, nests deeper or is larger than any real one, repeats a key, or holds a point or an
-/// index that makes no sense. Unknown keys are ignored, and named in `ignored`.
+/// read, nests deeper or is larger than any real one, repeats a key, or holds a point, an index
+/// or a cabinet that makes no sense. Unknown keys are ignored, and named in `ignored`.
 Floorplan read_floorplan(const std::filesystem::path& file);
 
 }  // namespace perceptor

@@ -75,7 +75,8 @@ std::string_view fault_of(const pico::map_point_t& point, const pico::map_t& map
 std::string_view fault_of(const pico::map_object_t& object, const pico::map_t& map) {
   if (!counts(object.num_points, object.points)) return "count differs from the array";
   if (object.name.size() > kMaxNameLength) return "name of an object too long";
-  if (!is_known(object.type, ObjectType::test) || !is_known(object.draw_type, DrawType::lines) ||
+  if (!is_known(object.type, ObjectType::start_area) ||
+      !is_known(object.draw_type, DrawType::lines) ||
       !is_known(object.connection, Connection::closed))
     return "unknown kind of object";
   if (object.colour < 0 || object.colour > 0xFFFFFF) return "colour out of range";

@@ -12,10 +12,10 @@
 namespace perceptor {
 namespace {
 
-constexpr std::array<std::string_view, 10> kTypeNames = {
+constexpr std::array<std::string_view, 11> kTypeNames = {
     "wall",          "door",  "possible door",    "cabinet",
     "origin",        "robot", "dynamic obstacle", "static obstacle",
-    "safe distance", "test"};
+    "safe distance", "test",  "start area"};
 
 std::string_view name_of(ObjectType type) {
   const auto index = static_cast<std::size_t>(type);

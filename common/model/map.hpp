@@ -35,7 +35,8 @@ enum class ObjectType : std::int8_t {
   dynamic_obstacle,
   static_obstacle,
   safe_distance,
-  test
+  test,
+  start_area
 };
 
 enum class DrawType : std::int8_t { points, lines };
