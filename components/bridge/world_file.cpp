@@ -1,9 +1,8 @@
 #include "components/bridge/world_file.hpp"
 
-#include <algorithm>
-#include <system_error>
 #include <utility>
 
+#include "common/config/named_file.hpp"
 #include "common/floorplan/floorplan.hpp"
 #include "components/bridge/world_fields.hpp"
 
@@ -50,30 +49,10 @@ void add_map(const Floorplan& map, World& world) {
 }  // namespace perceptor::sim
 
 namespace perceptor {
-namespace {
-
-std::string worlds_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
-}  // namespace
 
 std::filesystem::path find_world(const std::string& world,
                                  const std::filesystem::path& config_dir) {
-  const std::filesystem::path folder = config_dir / "worlds";
-  for (const std::filesystem::path& candidate :
-       {std::filesystem::path(world), folder / world, folder / (world + ".json")}) {
-    if (std::filesystem::is_regular_file(candidate)) return candidate;
-  }
-  throw config::Error("/world: no file \"" + world + "\", and no world of that name in " +
-                      folder.string() + "; there are: " + worlds_in(folder));
+  return config::find_named("world", world, config_dir / "worlds");
 }
 
 sim::SimulatorParameters read_world(const std::filesystem::path& file, const Robot& robot) {

@@ -37,13 +37,12 @@ TEST_P(AloneTest, EndsCleanlyOnTerminate) {
   EXPECT_EQ(process.wait(Seconds(5)), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, AloneTest,
-                         testing::Values(Waiting{"locate", {"PICO_ODOMETRY"}},
-                                         Waiting{"proximity", {"PICO_LASER"}},
-                                         Waiting{"scan", {"PICO_LASER", "POSITION"}},
-                                         Waiting{"merge", {"CURRENT_MAP"}},
-                                         Waiting{"identify", {"LOCAL_MAP"}}),
-                         [](const auto& which) { return which.param.component; });
+INSTANTIATE_TEST_SUITE_P(
+    Every, AloneTest,
+    testing::Values(Waiting{"locate", {"PICO_ODOMETRY"}}, Waiting{"proximity", {"PICO_LASER"}},
+                    Waiting{"scan", {"PICO_LASER", "POSITION"}}, Waiting{"merge", {"CURRENT_MAP"}},
+                    Waiting{"identify", {"LOCAL_MAP"}}, Waiting{"globalmap", {}}),
+    [](const auto& which) { return which.param.component; });
 
 TEST(NoBus, IsSaidWithWhatToDo) {
   const Finished refused =
