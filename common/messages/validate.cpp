@@ -171,6 +171,20 @@ std::string_view validate(const pico::entrance_t& entrance) {
   return {};
 }
 
+std::string_view validate(const pico::world_position_t& position) {
+  if (const auto fault = fault_of_stamp(position); !fault.empty()) return fault;
+  if (!is_utime(position.zero_utime)) return "zero_utime out of range";
+  if (position.state < pico::world_position_t::SEARCHING ||
+      position.state > pico::world_position_t::LOST)
+    return "unknown state";
+  if (!is_pose(position.robot_in_world)) return "robot_in_world out of range";
+  if (!std::ranges::all_of(position.covariance, [](double c) { return std::isfinite(c); }))
+    return "covariance out of range";
+  if (position.places < 0) return "places is negative";
+  if (!is_ratio(position.explained) || !is_ratio(position.through)) return "share out of range";
+  return {};
+}
+
 std::string_view validate(const pico::status_t& status) {
   if (const auto fault = fault_of_stamp(status); !fault.empty()) return fault;
   if (!counts(status.num_inputs, status.inputs) || !counts(status.num_rejects, status.rejects) ||

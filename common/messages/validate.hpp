@@ -18,6 +18,7 @@
 #include <pico/status_t.hpp>
 #include <pico/truth_t.hpp>
 #include <pico/velocity_t.hpp>
+#include <pico/world_position_t.hpp>
 
 namespace perceptor::messages {
 
@@ -40,6 +41,7 @@ std::string_view validate(const pico::position_t& position);
 std::string_view validate(const pico::proximity_t& proximity);
 std::string_view validate(const pico::map_t& map);
 std::string_view validate(const pico::entrance_t& entrance);
+std::string_view validate(const pico::world_position_t& position);
 std::string_view validate(const pico::status_t& status);
 
 }  // namespace perceptor::messages

@@ -191,7 +191,7 @@ TEST_F(BusTest, KnowsTheTypeOnEachOfItsChannels) {
        {channel::laser, channel::odometry, channel::sonar, channel::velocity, channel::open_door,
         channel::speak, channel::truth, channel::world, channel::position, channel::proximity,
         channel::current_map, channel::local_map, channel::identified_map, channel::entrance,
-        channel::global_map, "STATUS_SCAN"})
+        channel::global_map, channel::world_position, "STATUS_SCAN"})
     EXPECT_NE(channel::type_on(name), nullptr) << name;
   EXPECT_EQ(channel::type_on("LIDAR"), nullptr);
 }

@@ -116,6 +116,7 @@ TEST(Mutation, NeitherCheckNorDecodeNorConversionFailsOnAnyMessage) {
   expect_survives_mutations<pico::proximity_t>();
   expect_survives_mutations<pico::map_t>();
   expect_survives_mutations<pico::entrance_t>();
+  expect_survives_mutations<pico::world_position_t>();
   expect_survives_mutations<pico::status_t>();
 }
 

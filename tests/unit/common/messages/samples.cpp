@@ -150,6 +150,19 @@ pico::entrance_t sample() {
 }
 
 template <>
+pico::world_position_t sample() {
+  auto position = stamped<pico::world_position_t>();
+  position.map_id = 17;
+  position.zero_utime = 500'000;
+  position.state = pico::world_position_t::TRACKING;
+  position.robot_in_world = {1.0, 2.0, 0.5};
+  position.places = 3;
+  position.explained = 0.8;
+  position.through = 0.01;
+  return position;
+}
+
+template <>
 pico::status_t sample() {
   pico::status_t status{};
   status.utime = 1'500'000;

@@ -26,10 +26,10 @@ void write_at(Bytes& bytes, std::size_t offset, std::int32_t value) {
 template <class Message>
 class FindFault : public testing::Test {};
 
-using Messages =
-    testing::Types<pico::laser_scan_t, pico::odometry_t, pico::sonar_t, pico::velocity_t,
-                   pico::open_door_t, pico::speak_t, pico::truth_t, pico::position_t,
-                   pico::proximity_t, pico::map_t, pico::entrance_t, pico::status_t>;
+using Messages = testing::Types<pico::laser_scan_t, pico::odometry_t, pico::sonar_t,
+                                pico::velocity_t, pico::open_door_t, pico::speak_t, pico::truth_t,
+                                pico::position_t, pico::proximity_t, pico::map_t, pico::entrance_t,
+                                pico::world_position_t, pico::status_t>;
 
 struct TypeName {
   template <class Message>

@@ -130,7 +130,7 @@ const MapCase kObjectCases[] = {
     {"NameLong", [](map_t& m) { m.objects[0].name = "this is sixteen!"; },
      "name of an object too long"},
     {"NameFifteen", [](map_t& m) { m.objects[0].name = "exactly fifteen"; }, ""},
-    {"TypeBeyond", [](map_t& m) { m.objects[0].type = 10; }, "unknown kind of object"},
+    {"TypeBeyond", [](map_t& m) { m.objects[0].type = 11; }, "unknown kind of object"},
     {"TypeNegative", [](map_t& m) { m.objects[0].type = -1; }, "unknown kind of object"},
     {"DrawType", [](map_t& m) { m.objects[0].draw_type = 2; }, "unknown kind of object"},
     {"Connection", [](map_t& m) { m.objects[0].connection = 2; }, "unknown kind of object"},

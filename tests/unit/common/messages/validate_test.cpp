@@ -25,10 +25,10 @@ std::string fault_after(Edit edit) {
 template <class Message>
 class Validate : public testing::Test {};
 
-using Messages =
-    testing::Types<pico::laser_scan_t, pico::odometry_t, pico::sonar_t, pico::velocity_t,
-                   pico::open_door_t, pico::speak_t, pico::truth_t, pico::position_t,
-                   pico::proximity_t, pico::map_t, pico::entrance_t, pico::status_t>;
+using Messages = testing::Types<pico::laser_scan_t, pico::odometry_t, pico::sonar_t,
+                                pico::velocity_t, pico::open_door_t, pico::speak_t, pico::truth_t,
+                                pico::position_t, pico::proximity_t, pico::map_t, pico::entrance_t,
+                                pico::world_position_t, pico::status_t>;
 
 struct TypeName {
   template <class Message>

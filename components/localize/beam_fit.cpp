@@ -1,0 +1,67 @@
+#include "components/localize/beam_fit.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace perceptor::localize {
+namespace {
+
+double normal_density(double difference, double sigma) {
+  const double z = difference / sigma;
+  return std::exp(-z * z / 2.0) / (sigma * std::sqrt(2.0 * std::numbers::pi));
+}
+
+/// Density of a range [1/m].
+double density(double range, const Met& met, const BeamFitParameters& parameters) {
+  double density = parameters.anything / parameters.max_range;
+  if (std::isinf(met.face) && std::isinf(met.door)) return density;
+  const bool has_door = std::isfinite(met.door);
+  const double open = has_door ? 1.0 - parameters.shut : 1.0;
+  if (has_door)
+    density +=
+        parameters.hit * parameters.shut * normal_density(range - met.door, parameters.sigma);
+  if (std::isinf(met.face)) return density;
+  density += parameters.hit * open * normal_density(range - met.face, parameters.sigma);
+  if (range < met.face) density += parameters.in_front / met.face;
+  return density;
+}
+
+}  // namespace
+
+std::vector<Beam> choose_beams(const std::vector<BeamEnd>& ends, int count) {
+  std::vector<Beam> beams;
+  const auto wanted = static_cast<std::size_t>(count);
+  const std::size_t step = std::max<std::size_t>(1, ends.size() / wanted);
+  for (std::size_t i = step / 2; i < ends.size() && beams.size() < wanted; i += step) {
+    const Vector2 along = ends[i].location - ends[i].origin;
+    beams.push_back({ends[i].origin, unit(along), along.norm()});
+  }
+  return beams;
+}
+
+BeamFit fit_beams(const World& world, const Position& robot_in_world,
+                  const std::vector<Beam>& beams, const BeamFitParameters& parameters) {
+  BeamFit fit;
+  if (beams.empty()) return fit;
+  const double near = 3.0 * parameters.sigma;
+  const double cosine = std::cos(robot_in_world.a);
+  const double sine = std::sin(robot_in_world.a);
+  const auto rotated = [&](const Vector2& v) {
+    return Vector2(cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y());
+  };
+  int explained = 0;
+  int through = 0;
+  for (const Beam& beam : beams) {
+    const Met met =
+        world.meet(robot_in_world.location() + rotated(beam.origin), rotated(beam.direction));
+    fit.log_likelihood += std::log(density(beam.range, met, parameters));
+    if (std::abs(beam.range - met.face) < near || std::abs(beam.range - met.door) < near)
+      ++explained;
+    if (beam.range > met.face + parameters.through) ++through;
+  }
+  fit.explained = explained / static_cast<double>(beams.size());
+  fit.through = through / static_cast<double>(beams.size());
+  return fit;
+}
+
+}  // namespace perceptor::localize

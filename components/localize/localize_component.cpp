@@ -1,0 +1,141 @@
+#include "components/localize/localize_component.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/config/named_file.hpp"
+#include "common/floorplan/floorplan.hpp"
+#include "common/global_map/global_map.hpp"
+#include "common/messages/convert.hpp"
+#include "common/time/stamp.hpp"
+
+namespace perceptor {
+namespace {
+
+constexpr int kQueue = 200;  // five seconds of scans
+constexpr int kGlobalQueue = 4;
+constexpr std::string_view kWrongFrame = "not in the robot frame";
+constexpr std::string_view kInParts = "in parts";
+constexpr std::string_view kWithoutScan = "its scan never came";
+constexpr std::string_view kOtherMap = "another map than the one read here";
+
+global_map::GlobalMap read_map(const LocalizeConfig& config) {
+  const auto file = config::find_named("map", config.map, config.config_dir / "maps");
+  try {
+    return global_map::make_global_map(read_floorplan(file));
+  } catch (const global_map::TooManyCrossings& error) {
+    throw config::Error(file.string() + ": " + error.what());
+  }
+}
+
+bool is_before(const pico::laser_scan_t& scan, const pico::map_t& map) {
+  return scan.session == map.session ? scan.seq < map.seq : scan.utime < map.utime;
+}
+
+bool is_of(const pico::laser_scan_t& scan, const pico::map_t& map) {
+  return scan.session == map.session && scan.seq == map.seq;
+}
+
+/// How the robot moved while the laser swept: as from the map before to this one.
+Twist twist_of(const std::optional<pico::map_t>& last, const pico::map_t& map) {
+  if (!last || last->zero_utime != map.zero_utime) return {};
+  return twist_between(to_model(last->robot_in_zero), to_model(map.robot_in_zero),
+                       seconds_between(last->utime, map.utime));
+}
+
+pico::world_position_t to_message(const pico::map_t& map, std::int64_t map_id,
+                                  const localize::WorldPosition& position) {
+  pico::world_position_t message{};
+  set_stamp(message, stamp_of(map));
+  message.map_id = map_id;
+  message.zero_utime = map.zero_utime;
+  message.state = static_cast<std::int8_t>(position.state);
+  if (position.robot_in_world) {
+    message.guessed = position.state == localize::State::tracking ? 0 : 1;
+    message.robot_in_world = to_message(position.robot_in_world->pose);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        message.covariance[3 * row + column] = position.robot_in_world->covariance(row, column);
+  }
+  message.ambiguous = position.ambiguous ? 1 : 0;
+  message.places = position.places;
+  message.explained = position.explained;
+  message.through = position.through;
+  return message;
+}
+
+}  // namespace
+
+LocalizeComponent::LocalizeComponent(const LocalizeConfig& config, Bus& bus)
+    : LocalizeComponent(config, read_map(config), bus) {}
+
+LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
+                                     const global_map::GlobalMap& building, Bus& bus)
+    : bus_(bus), map_id_(building.id), localizer_(localize::World(building.map), config.localize) {
+  bus_.subscribe<pico::laser_scan_t>(
+      channel::laser, kQueue,
+      [this](const pico::laser_scan_t& scan, bool began_anew) { take_scan(scan, began_anew); });
+  bus_.subscribe<pico::map_t>(
+      channel::local_map, kQueue,
+      [this](const pico::map_t& map, bool began_anew) { take_map(map, began_anew); });
+  bus_.subscribe<pico::map_t>(channel::global_map, kGlobalQueue,
+                              [this](const pico::map_t& map, bool) { check_id(map); });
+}
+
+void LocalizeComponent::take_scan(const pico::laser_scan_t& scan, bool began_anew) {
+  if (began_anew) scans_.clear();
+  scans_.push_back(scan);
+  if (scans_.size() > kQueue) scans_.pop_front();
+  settle();
+}
+
+void LocalizeComponent::take_map(const pico::map_t& map, bool began_anew) {
+  if (began_anew) maps_.clear();
+  if (map.frame != "robot") return bus_.reject(channel::local_map, kWrongFrame);
+  if (map.parts != 1) return bus_.reject(channel::local_map, kInParts);
+  maps_.push_back(map);
+  if (maps_.size() > kQueue) {
+    bus_.reject(channel::local_map, kWithoutScan);
+    maps_.pop_front();
+  }
+  settle();
+}
+
+/// Pairs what has come, in the order of the maps. A scan before the next map has none.
+void LocalizeComponent::settle() {
+  while (!maps_.empty() && !scans_.empty()) {
+    if (is_of(scans_.front(), maps_.front())) {
+      locate(scans_.front(), maps_.front());
+      scans_.pop_front();
+      maps_.pop_front();
+    } else if (is_before(scans_.front(), maps_.front())) {
+      scans_.pop_front();
+    } else {
+      bus_.reject(channel::local_map, kWithoutScan);
+      maps_.pop_front();
+    }
+  }
+}
+
+void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t& map) {
+  const bool is_same_frame = last_map_ && last_map_->session == map.session &&
+                             last_map_->zero_utime == map.zero_utime &&
+                             last_map_->utime < map.utime;
+  if (!is_same_frame) {
+    localizer_.clear();
+    last_map_.reset();
+  }
+  localize::Sight sight;
+  sight.utime = map.utime;
+  sight.robot_in_local = to_model(map.robot_in_local);
+  sight.walls = to_model(map);
+  sight.ends = beam_ends(to_model(scan), twist_of(last_map_, map));
+  last_map_ = map;
+  last_map_->points.clear();
+  last_map_->objects.clear();
+  bus_.publish(channel::world_position, to_message(map, map_id_, localizer_.update(sight)));
+}
+
+void LocalizeComponent::check_id(const pico::map_t& global_map) {
+  if (global_map.map_id != map_id_) bus_.reject(channel::global_map, kOtherMap);
+}
+
+}  // namespace perceptor

@@ -1,0 +1,80 @@
+/// @file localize: where the robot is in the known building, one WORLD_POSITION for each
+/// LOCAL_MAP.
+///
+/// in:  PICO_LASER, LOCAL_MAP (of the same scan), GLOBAL_MAP (only its id)
+/// out: WORLD_POSITION
+///
+/// The map file is read here too, so that localize needs nobody else to be there; GLOBAL_MAP tells
+/// whether all speak of the same one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <pico/laser_scan_t.hpp>
+#include <pico/map_t.hpp>
+#include <pico/world_position_t.hpp>
+
+#include "common/bus/bus.hpp"
+#include "common/config/fields.hpp"
+#include "common/global_map/global_map.hpp"
+#include "components/localize/localizer.hpp"
+
+namespace perceptor {
+
+struct LocalizeConfig {
+  std::string map = "hospital";  ///< a map's name in the folder `maps`, or its file
+  localize::LocalizerParameters localize;
+  std::filesystem::path config_dir;  ///< set by the runner
+};
+
+namespace localize {
+void describe(config::Fields& fields, CandidateParameters& p);
+void describe(config::Fields& fields, AlignmentParameters& p);
+void describe(config::Fields& fields, BeamFitParameters& p);
+void describe(config::Fields& fields, SearchParameters& p);
+void describe(config::Fields& fields, KeyframeParameters& p);
+void describe(config::Fields& fields, ClaimParameters& p);
+void describe(config::Fields& fields, MotionNoise& p);
+void describe(config::Fields& fields, WatchParameters& p);
+}  // namespace localize
+
+void describe(config::Fields& fields, LocalizeConfig& config);
+
+class LocalizeComponent {
+ public:
+  using Config = LocalizeConfig;
+  static constexpr std::string_view kName = "localize";
+  static constexpr std::string_view kSummary =
+      "finds the robot in the known building, and follows it";
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 1> kShortcuts = {
+      {{"map", "the building: a name in the folder maps, or a JSON file"}}};
+
+  /// Throws config::Error where the map cannot be read. The bus must outlive the component.
+  LocalizeComponent(const LocalizeConfig& config, Bus& bus);
+  LocalizeComponent(const LocalizeComponent&) = delete;
+  LocalizeComponent& operator=(const LocalizeComponent&) = delete;
+
+ private:
+  LocalizeComponent(const LocalizeConfig& config, const global_map::GlobalMap& building, Bus& bus);
+  void take_scan(const pico::laser_scan_t& scan, bool began_anew);
+  void take_map(const pico::map_t& map, bool began_anew);
+  void check_id(const pico::map_t& global_map);
+  void settle();
+  void locate(const pico::laser_scan_t& scan, const pico::map_t& map);
+
+  Bus& bus_;
+  std::int64_t map_id_;
+  localize::Localizer localizer_;
+  std::deque<pico::laser_scan_t> scans_;  ///< whose map may still come
+  std::deque<pico::map_t> maps_;          ///< whose scan may still come
+  std::optional<pico::map_t> last_map_;   ///< without objects and points
+};
+
+}  // namespace perceptor

@@ -1,0 +1,134 @@
+/// @file Finds the robot in the known building, follows it, and notices when it is wrong.
+///
+/// While it searches, the last scans from different poses are kept, and all places of the building
+/// compete for them; a place is claimed when it leads the runner-up by a margin on several scans,
+/// explains enough, and has few beams that go through walls. While it follows, each scan's walls
+/// are laid on the building's, and now and then the claimed place has to win the competition again.
+///
+/// The competition takes longer than the time from scan to scan. It runs beside, and its outcome
+/// counts from the first scan after a fixed time, measured in the scans' own: results do not depend
+/// on how fast the computer is.
+#pragma once
+
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "components/localize/alignment.hpp"
+#include "components/localize/search.hpp"
+
+namespace perceptor::localize {
+
+enum class State : std::int8_t {
+  searching,  ///< nothing was claimed yet
+  tracking,   ///< the pose is claimed
+  lost        ///< it was, and turned out wrong: searching again
+};
+
+struct KeyframeParameters {
+  double distance = 0.25;  ///< [m] from the last one; closer ones say the same again
+  double angle = 0.25;     ///< [rad] the same
+  int count = 12;          ///< are kept; more decide safer and cost more
+};
+
+struct ClaimParameters {
+  int min_keyframes = 3;        ///< that were seen from the place
+  int min_leads = 3;            ///< of those, on which it beats the runner-up
+  double margin = 20.0;         ///< of the log likelihood over the runner-up's
+  double min_explained = 0.5;   ///< share of the beams that end where the map says
+  double max_through = 0.08;    ///< share that go through walls
+  int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
+};
+
+struct MotionNoise {
+  double translation = 0.02;             ///< [m/sqrt(m)] of the local map's own pose
+  double heading = 0.02;                 ///< [rad/sqrt(rad)]
+  double heading_by_translation = 0.01;  ///< [rad/sqrt(m)]
+  double still = 0.001;                  ///< [m and rad / sqrt(s)] with time alone
+};
+
+struct WatchParameters {
+  double min_explained = 0.2;  ///< a scan that fits less speaks against the pose
+  double max_through = 0.15;   ///< or one with more beams through walls
+  double time = 0.7;           ///< [s] of such scans: lost
+  double period = 2.0;         ///< [s] until the claimed place has to win again
+};
+
+struct LocalizerParameters {
+  SearchParameters search;
+  KeyframeParameters keyframes;
+  ClaimParameters claim;
+  AlignmentParameters tracking{.max_offset = 0.15, .max_angle = 0.15, .max_shift = 0.15};
+  MotionNoise motion;
+  WatchParameters watch;
+  double search_time = 0.1;  ///< [s] from the scan that asks where the robot is to the first
+                             ///< that may know; less than it takes, and scans have to wait
+  double found_sigma = 0.1;  ///< [m] of the pose when it is claimed
+  double found_heading_sigma = 0.05;  ///< [rad] the same
+};
+
+/// One scan as localize gets it.
+struct Sight {
+  std::int64_t utime = 0;   ///< [us]
+  Position robot_in_local;  ///< odometry's drift taken out by merge
+  Map walls;                ///< of the local map, robot frame
+  std::vector<BeamEnd> ends;
+};
+
+struct WorldPosition {
+  State state = State::searching;
+  std::optional<PoseEstimate> robot_in_world;  ///< claimed, or the best guess
+  bool ambiguous = false;                      ///< other places explain all that was seen as well
+  int places = 0;                              ///< that were in the running at the last search
+  double explained = 0.0;  ///< share of this scan's beams that end where the map says
+  double through = 0.0;    ///< share that go through walls
+};
+
+class Localizer {
+ public:
+  Localizer(World world, const LocalizerParameters& parameters)
+      : world_(std::move(world)), parameters_(parameters) {}
+
+  // A search that runs beside looks at this object.
+  Localizer(const Localizer&) = delete;
+  Localizer& operator=(const Localizer&) = delete;
+
+  /// Scans in order of utime, of one local frame.
+  WorldPosition update(const Sight& sight);
+
+  /// Another local frame, or another time: nothing that was known holds.
+  void clear();
+
+ private:
+  struct Tracked {
+    PoseEstimate robot_in_world;
+    Position robot_in_local;
+    std::int64_t utime = 0;
+  };
+
+  bool keep_keyframe(const Sight& sight, const std::vector<Beam>& beams);
+  bool is_time_to_ask(std::int64_t utime) const;
+  void ask(const Sight& sight);
+  void take_answer(const Sight& sight);
+  bool is_claimed() const;
+  bool is_ambiguous() const;
+  bool still_wins(const Sight& sight) const;
+  void track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position);
+  void guess(const Sight& sight, WorldPosition& position) const;
+  void lose(std::int64_t utime);
+
+  World world_;
+  LocalizerParameters parameters_;
+  State state_ = State::searching;
+  std::vector<Keyframe> keyframes_;
+  std::optional<Tracked> tracked_;
+  std::future<std::vector<Hypothesis>> answer_;
+  std::int64_t asked_ = 0;                 ///< [us] utime of the scan that asked
+  std::vector<Hypothesis> places_;         ///< the last answer, best first
+  std::int64_t since_ = 0;                 ///< [us] walls seen before tell nothing
+  std::optional<std::int64_t> bad_since_;  ///< [us] scans speak against the pose
+};
+
+}  // namespace perceptor::localize

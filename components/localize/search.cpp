@@ -1,0 +1,104 @@
+#include "components/localize/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/angle.hpp"
+
+namespace perceptor::localize {
+namespace {
+
+Hypothesis judge(const World& world, const Position& local_in_world,
+                 const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
+  Hypothesis hypothesis;
+  hypothesis.local_in_world = local_in_world;
+  for (const Keyframe& keyframe : keyframes) {
+    const Position robot_in_world = compose(local_in_world, keyframe.robot_in_local);
+    const BeamFit fit = fit_beams(world, robot_in_world, keyframe.beams, parameters.beams);
+    hypothesis.by_keyframe.push_back(fit.log_likelihood);
+    hypothesis.log_likelihood += fit.log_likelihood;
+    hypothesis.explained += fit.explained / static_cast<double>(keyframes.size());
+    hypothesis.through += fit.through / static_cast<double>(keyframes.size());
+  }
+  if (!keyframes.empty())
+    hypothesis.log_likelihood *=
+        std::sqrt(views(keyframes, parameters)) / static_cast<double>(keyframes.size());
+  return hypothesis;
+}
+
+/// The candidates that fit the last keyframe best, at a glance: few beams, and as exact as
+/// candidates are before they are aligned.
+std::vector<Position> most_likely(const World& world, const std::vector<Candidate>& candidates,
+                                  const std::vector<Keyframe>& keyframes,
+                                  const SearchParameters& parameters) {
+  std::vector<std::pair<double, Position>> rated;
+  const std::size_t every = static_cast<std::size_t>(parameters.glance_every);
+  std::vector<Keyframe> glances;
+  for (const Keyframe* keyframe : {&keyframes.front(), &keyframes.back()}) {
+    glances.push_back({keyframe->robot_in_local, {}});
+    for (std::size_t i = 0; i < keyframe->beams.size(); i += every)
+      glances.back().beams.push_back(keyframe->beams[i]);
+  }
+  BeamFitParameters coarse = parameters.beams;
+  coarse.sigma = parameters.glance_sigma;
+  for (const Candidate& candidate : candidates) {
+    double fit = 0.0;
+    for (const Keyframe& glance : glances)
+      fit += fit_beams(world, compose(candidate.local_in_world, glance.robot_in_local),
+                       glance.beams, coarse)
+                 .log_likelihood;
+    rated.emplace_back(fit, candidate.local_in_world);
+  }
+  std::ranges::stable_sort(rated, std::ranges::greater{}, &std::pair<double, Position>::first);
+  std::vector<Position> best;
+  for (const auto& [fit, pose] : rated)
+    if (best.size() < static_cast<std::size_t>(parameters.glances)) best.push_back(pose);
+  return best;
+}
+
+}  // namespace
+
+double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
+  double views = 1.0;
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const Position step = relative(keyframes[i - 1].robot_in_local, keyframes[i].robot_in_local);
+    const double share =
+        step.location().norm() / parameters.view + std::abs(step.a) / parameters.view_angle;
+    views += std::min(1.0, share);
+  }
+  return views;
+}
+
+bool is_same_place(const Position& p, const Position& q, const SearchParameters& parameters) {
+  return distance(p.location(), q.location()) < parameters.same_place &&
+         std::abs(angle_difference(p.a, q.a)) < parameters.same_heading;
+}
+
+std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
+                               const std::vector<Keyframe>& keyframes,
+                               const std::vector<Position>& tracked,
+                               const SearchParameters& parameters) {
+  std::vector<Position> poses = tracked;
+  for (const Position& candidate : most_likely(
+           world, find_candidates(world, walls, parameters.candidates), keyframes, parameters)) {
+    const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
+    poses.push_back(alignment ? alignment->frame_in_world.pose : candidate);
+  }
+  std::vector<Hypothesis> all;
+  for (const Position& pose : poses) all.push_back(judge(world, pose, keyframes, parameters));
+  std::ranges::stable_sort(all, std::ranges::greater{}, &Hypothesis::log_likelihood);
+
+  // Two places are compared where the robot is now: that is what would be claimed.
+  const Position robot_in_local = keyframes.empty() ? Position{} : keyframes.back().robot_in_local;
+  std::vector<Hypothesis> apart;
+  for (const Hypothesis& hypothesis : all) {
+    const Position place = compose(hypothesis.local_in_world, robot_in_local);
+    const bool is_known = std::ranges::any_of(apart, [&](const Hypothesis& better) {
+      return is_same_place(compose(better.local_in_world, robot_in_local), place, parameters);
+    });
+    if (!is_known) apart.push_back(hypothesis);
+  }
+  return apart;
+}
+
+}  // namespace perceptor::localize

@@ -1,0 +1,52 @@
+/// @file All places of the building compete for what the robot saw from its last poses.
+#pragma once
+
+#include <vector>
+
+#include "components/localize/alignment.hpp"
+#include "components/localize/beam_fit.hpp"
+#include "components/localize/candidates.hpp"
+
+namespace perceptor::localize {
+
+/// A scan that is kept, taken from another pose than its neighbours.
+struct Keyframe {
+  Position robot_in_local;
+  std::vector<Beam> beams;
+};
+
+struct SearchParameters {
+  CandidateParameters candidates;
+  AlignmentParameters alignment;
+  BeamFitParameters beams;
+  int glance_every = 3;        ///< of the beams: to choose among candidates
+  double glance_sigma = 0.12;  ///< [m] of a range, with a candidate's own error
+  int glances = 150;           ///< candidates that are looked at closer
+  double view = 0.5;           ///< [m] after moving so far a scan is evidence of its own
+  double view_angle = 2.0;     ///< [rad] or after turning so far
+  double same_place = 0.4;     ///< [m] hypotheses this close are one
+  double same_heading = 0.3;   ///< [rad] the same
+};
+
+/// A place that explains what the robot saw.
+struct Hypothesis {
+  Position local_in_world;
+  double log_likelihood = 0.0;      ///< of all keyframes: the mean times the views
+  std::vector<double> by_keyframe;  ///< the same of each
+  double explained = 0.0;           ///< share of the beams, mean over the keyframes
+  double through = 0.0;             ///< share that go through walls
+};
+
+/// Best first, no two at one place. `walls` in the local frame. `tracked` competes too.
+std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
+                               const std::vector<Keyframe>& keyframes,
+                               const std::vector<Position>& tracked,
+                               const SearchParameters& parameters);
+
+/// How many scans' worth of evidence the keyframes are: what was seen from nearly one pose is wrong
+/// in the same way each time.
+double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters);
+
+bool is_same_place(const Position& p, const Position& q, const SearchParameters& parameters);
+
+}  // namespace perceptor::localize

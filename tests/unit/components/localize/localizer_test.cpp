@@ -1,0 +1,188 @@
+#include "components/localize/localizer.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/angle.hpp"
+#include "tests/unit/components/localize/building.hpp"
+
+namespace perceptor::localize {
+namespace {
+
+constexpr std::int64_t kPeriod = 100'000;  // [us]
+
+void expect_near(const Position& actual, const Position& expected, double metres, double radians) {
+  EXPECT_LT(distance(actual.location(), expected.location()), metres);
+  EXPECT_LT(std::abs(angle_difference(actual.a, expected.a)), radians);
+}
+
+TEST(BeamFit, TruePoseFitsBestAndNothingGoesThroughWalls) {
+  const Building building = angled_room();
+  const World world(building.map);
+  const Position robot{1.2, 1.0, 0.4};
+  const auto beams =
+      choose_beams(beam_ends(test::sweep(building.scene, test::pico_laser(0.01), robot)), 72);
+  ASSERT_EQ(beams.size(), 72U);
+  const BeamFit right = fit_beams(world, robot, beams, {});
+  EXPECT_GT(right.explained, 0.95);
+  EXPECT_EQ(right.through, 0.0);
+  const BeamFit wrong = fit_beams(world, {1.6, 1.0, 0.4}, beams, {});
+  EXPECT_LT(wrong.log_likelihood, right.log_likelihood - 50.0);
+  EXPECT_GT(wrong.through, 0.1);
+}
+
+TEST(BeamFit, ShutDoorExplainsBeams) {
+  Map map;
+  add_segment(map, {{-1.0, 2.0}, {1.0, 2.0}}, ObjectType::door);
+  const std::vector<Beam> beams = {{{0.0, 0.0}, {0.0, 1.0}, 2.01}};
+  EXPECT_EQ(fit_beams(World(map), {}, beams, {}).explained, 1.0);
+}
+
+TEST(Alignment, FindsThePoseFromNearBy) {
+  const Building building = angled_room();
+  const Position robot{2.0, 1.1, 2.0};
+  const auto walls = local_walls(walls_in(building, robot, 1), 0);
+  const auto alignment = align(World(building.map), walls, {{2.1, 1.0, 2.08}, {}}, false, {});
+  ASSERT_TRUE(alignment);
+  EXPECT_EQ(alignment->matched, 6);
+  expect_near(alignment->frame_in_world.pose, robot, 1e-4, 1e-4);
+  EXPECT_LT(alignment->frame_in_world.covariance(0, 0), 1e-3);
+}
+
+TEST(Alignment, OneWallLeavesThePoseLoose) {
+  const Building building = angled_room();
+  Map one = walls_in(building, {2.0, 1.1, 0.0}, 1);
+  one.objects.resize(1);
+  for (Point& end : one.points) end.method = CornerMethod::none;
+  const auto walls = local_walls(one, 0);
+  ASSERT_EQ(walls.size(), 1U);
+  const World world(building.map);
+  EXPECT_FALSE(align(world, walls, {{2.0, 1.1, 0.0}, {}}, false, {}));
+  const PoseEstimate prior{{2.0, 1.2, 0.0}, 0.01 * Eigen::Matrix3d::Identity()};
+  const auto with_prior = align(world, walls, prior, true, {});
+  ASSERT_TRUE(with_prior);
+  EXPECT_NEAR(with_prior->frame_in_world.pose.y, 1.1, 0.01);
+  EXPECT_NEAR(with_prior->frame_in_world.pose.x, 2.0, 1e-9);
+  EXPECT_NEAR(with_prior->frame_in_world.covariance(0, 0), 0.01, 1e-6);
+}
+
+TEST(Candidates, TruthIsAmongThem) {
+  const Building building = angled_room();
+  const Position local_in_world{1.5, 2.5, -2.2};
+  const auto walls = local_walls(walls_in(building, local_in_world, 1), 0);
+  const auto candidates = find_candidates(World(building.map), walls, {});
+  ASSERT_FALSE(candidates.empty());
+  expect_near(candidates.front().local_in_world, local_in_world, 0.15, 0.1);
+  EXPECT_NEAR(candidates.front().explained, 18.0, 0.1);
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    EXPECT_LE(candidates[i].explained, candidates[i - 1].explained);
+}
+
+/// A robot that turns in place, and then drives on, somewhere in a building.
+class Drive {
+ public:
+  Drive(const Building& building, const Position& start)
+      : building_(building),
+        scene_(building.scene),
+        start_(start),
+        localizer_(World(building.map), {}) {}
+
+  WorldPosition turn(double radians) {
+    WorldPosition last;
+    for (double turned = 0.0; turned < radians; turned += 0.1) {
+      in_local_.a = wrap_angle(in_local_.a + 0.1);
+      last = look();
+    }
+    return last;
+  }
+
+  WorldPosition look() {
+    utime_ += kPeriod;
+    return localizer_.update(sight(building_, scene_, truth(), in_local_, utime_));
+  }
+
+  /// Somebody lifts the robot, and odometry notices nothing.
+  void kidnap(const Position& to) { start_ = compose(to, inverse(in_local_)); }
+  void place(const test::Scene& things) {
+    scene_.insert(scene_.end(), things.begin(), things.end());
+  }
+
+  Position truth() const { return compose(start_, in_local_); }
+  Localizer& localizer() { return localizer_; }
+
+ private:
+  Building building_;
+  test::Scene scene_;
+  Position start_;  ///< the local frame, in the world
+  Position in_local_;
+  std::int64_t utime_ = 1'000'000;
+  Localizer localizer_;
+};
+
+TEST(Localizer, FindsTheRobotFromNothingAndFollowsIt) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0});
+  EXPECT_EQ(drive.look().state, State::searching);
+  const WorldPosition found = drive.turn(1.5);
+  ASSERT_EQ(found.state, State::tracking);
+  ASSERT_TRUE(found.robot_in_world);
+  expect_near(found.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+  EXPECT_GT(found.explained, 0.9);
+  EXPECT_FALSE(found.ambiguous);
+  const WorldPosition later = drive.turn(6.0);
+  EXPECT_EQ(later.state, State::tracking);
+  expect_near(later.robot_in_world->pose, drive.truth(), 0.002, 0.002);
+}
+
+TEST(Localizer, SaysThatARoomIsAmbiguous) {
+  Drive drive(plain_room(), {1.2, 1.0, 0.3});
+  const WorldPosition position = drive.turn(4.0);
+  EXPECT_EQ(position.state, State::searching);
+  EXPECT_TRUE(position.ambiguous);
+  EXPECT_GE(position.places, 2);
+}
+
+TEST(Localizer, NoticesThatItWasCarriedAway) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0});
+  ASSERT_EQ(drive.turn(1.5).state, State::tracking);
+  drive.kidnap({4.2, 1.0, 2.0});
+  WorldPosition position;
+  for (int i = 0; i < 20 && position.state != State::lost; ++i) position = drive.look();
+  EXPECT_EQ(position.state, State::lost);
+  const WorldPosition again = drive.turn(2.0);
+  ASSERT_EQ(again.state, State::tracking);
+  expect_near(again.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, UnknownBoxesDoNotMatter) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0});
+  drive.place(test::room({{2.0, 0.5}, {2.4, 0.5}, {2.4, 0.8}, {2.0, 0.8}}));
+  drive.place(test::room({{0.3, 3.5}, {0.6, 3.5}, {0.6, 3.7}, {0.3, 3.7}}));
+  const WorldPosition found = drive.turn(1.5);
+  ASSERT_EQ(found.state, State::tracking);
+  expect_near(found.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, ClearForgetsAll) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0});
+  ASSERT_EQ(drive.turn(1.5).state, State::tracking);
+  drive.localizer().clear();
+  EXPECT_EQ(drive.look().state, State::searching);
+}
+
+TEST(Localizer, SameScansGiveTheSameAnswers) {
+  Drive first(angled_room(), {1.2, 2.9, -1.0});
+  Drive second(angled_room(), {1.2, 2.9, -1.0});
+  for (int i = 0; i < 30; ++i) {
+    const WorldPosition p = first.turn(0.1);
+    const WorldPosition q = second.turn(0.1);
+    ASSERT_EQ(p.state, q.state);
+    ASSERT_EQ(p.robot_in_world.has_value(), q.robot_in_world.has_value());
+    EXPECT_EQ(p.robot_in_world.value_or(PoseEstimate{}).pose,
+              q.robot_in_world.value_or(PoseEstimate{}).pose);
+  }
+}
+
+}  // namespace
+}  // namespace perceptor::localize
