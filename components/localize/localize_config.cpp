@@ -57,6 +57,8 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.number("view", p.view, {1e-3, 100.0},
                 "[m] after moving so far a scan is evidence of its own");
   fields.number("view_angle", p.view_angle, {1e-3, 100.0}, "[rad] or after turning so far");
+  fields.number("max_through", p.max_through, kShare,
+                "share of the beams through walls: no place with more is in the running");
   fields.number("same_place", p.same_place, kMetres, "[m] hypotheses this close are one");
   fields.number("same_heading", p.same_heading, kAngle, "[rad] the same");
 }
@@ -73,7 +75,6 @@ void describe(config::Fields& fields, ClaimParameters& p) {
   fields.number("margin", p.margin, {0.0, 1e6}, "of log likelihood over the runner-up");
   fields.number("min_explained", p.min_explained, kShare,
                 "share of the beams that end where the map says");
-  fields.number("max_through", p.max_through, kShare, "share that go through walls");
   fields.integer("ambiguous_keyframes", p.ambiguous_keyframes, {1, 1000},
                  "after so many, places without a margin are called ambiguous");
 }

@@ -142,7 +142,7 @@ bool Localizer::is_claimed() const {
   if (places_.empty()) return false;
   const Hypothesis& best = places_.front();
   if (best.by_keyframe.size() < static_cast<std::size_t>(claim.min_keyframes)) return false;
-  if (best.explained < claim.min_explained || best.through > claim.max_through) return false;
+  if (best.explained < claim.min_explained) return false;
   if (places_.size() < 2) return true;
   return best.log_likelihood - places_[1].log_likelihood >= claim.margin &&
          count_leads(best, places_[1]) >= claim.min_leads;
@@ -153,7 +153,6 @@ bool Localizer::is_ambiguous() const {
   if (tracked_ || places_.size() < 2) return false;
   const Hypothesis& best = places_.front();
   return best.by_keyframe.size() >= static_cast<std::size_t>(claim.ambiguous_keyframes) &&
-         best.through <= claim.max_through &&
          best.log_likelihood - places_[1].log_likelihood < claim.margin;
 }
 

@@ -36,9 +36,8 @@ struct KeyframeParameters {
 struct ClaimParameters {
   int min_keyframes = 3;        ///< that were seen from the place
   int min_leads = 3;            ///< of those, on which it beats the runner-up
-  double margin = 20.0;         ///< of the log likelihood over the runner-up's
-  double min_explained = 0.5;   ///< share of the beams that end where the map says
-  double max_through = 0.08;    ///< share that go through walls
+  double margin = 30.0;         ///< of the log likelihood over the runner-up's
+  double min_explained = 0.4;   ///< share of the beams that end where the map says
   int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
 };
 

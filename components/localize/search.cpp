@@ -86,6 +86,10 @@ std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>&
   }
   std::vector<Hypothesis> all;
   for (const Position& pose : poses) all.push_back(judge(world, pose, keyframes, parameters));
+  const auto looks_through = [&](const Hypothesis& place) {
+    return place.through > parameters.max_through;
+  };
+  std::erase_if(all, looks_through);
   std::ranges::stable_sort(all, std::ranges::greater{}, &Hypothesis::log_likelihood);
 
   // Two places are compared where the robot is now: that is what would be claimed.

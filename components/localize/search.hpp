@@ -24,8 +24,10 @@ struct SearchParameters {
   int glances = 150;           ///< candidates that are looked at closer
   double view = 0.5;           ///< [m] after moving so far a scan is evidence of its own
   double view_angle = 2.0;     ///< [rad] or after turning so far
-  double same_place = 0.4;     ///< [m] hypotheses this close are one
-  double same_heading = 0.3;   ///< [rad] the same
+  double max_through =
+      0.04;  ///< share of the beams through walls: no place with more is in the running
+  double same_place = 0.4;    ///< [m] hypotheses this close are one
+  double same_heading = 0.3;  ///< [rad] the same
 };
 
 /// A place that explains what the robot saw.
