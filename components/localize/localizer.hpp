@@ -62,7 +62,7 @@ struct LocalizerParameters {
   AlignmentParameters tracking{.max_offset = 0.15, .max_angle = 0.15, .max_shift = 0.15};
   MotionNoise motion;
   WatchParameters watch;
-  double search_time = 0.1;  ///< [s] from the scan that asks where the robot is to the first
+  double search_time = 0.3;  ///< [s] from the scan that asks where the robot is to the first
                              ///< that may know; less than it takes, and scans have to wait
   double found_sigma = 0.1;  ///< [m] of the pose when it is claimed
   double found_heading_sigma = 0.05;  ///< [rad] the same

@@ -149,5 +149,17 @@ TEST_F(GlobalmapComponentTest, MapThatIsNotThereIsSaidWithThoseThatAre) {
   }
 }
 
+TEST(GlobalmapConfig, FileHoldsTheDefaults) {
+  GlobalmapConfig defaults;
+  GlobalmapConfig read;
+  read.map = "another";
+  config::load_file(std::filesystem::path(PERCEPTOR_SOURCE_DIR) / "config" / "globalmap.json",
+                    [&read](config::Fields& fields) { describe(fields, read); });
+  const auto text = [](GlobalmapConfig& config) {
+    return config::print([&config](config::Fields& fields) { describe(fields, config); });
+  };
+  EXPECT_EQ(text(read), text(defaults));
+}
+
 }  // namespace
 }  // namespace perceptor

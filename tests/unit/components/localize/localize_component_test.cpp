@@ -138,5 +138,17 @@ TEST_F(LocalizeComponentTest, GlobalMapOfAnotherBuildingIsCounted) {
   EXPECT_EQ(rejected(channel::global_map), 1);
 }
 
+TEST(LocalizeConfig, FileHoldsTheDefaults) {
+  LocalizeConfig defaults;
+  LocalizeConfig read;
+  read.map = "another";
+  config::load_file(std::filesystem::path(PERCEPTOR_SOURCE_DIR) / "config" / "localize.json",
+                    [&read](config::Fields& fields) { describe(fields, read); });
+  const auto text = [](LocalizeConfig& config) {
+    return config::print([&config](config::Fields& fields) { describe(fields, config); });
+  };
+  EXPECT_EQ(text(read), text(defaults));
+}
+
 }  // namespace
 }  // namespace perceptor
