@@ -64,11 +64,13 @@ struct ReplayOptions {
   std::filesystem::path out;
   std::filesystem::path config_dir = default_config_directory();
   std::vector<std::string> overrides;
+  std::string map;
 };
 
 int replay_log(const ReplayOptions& options) {
   keep_freed_memory();
-  const PipelineConfig config = load_pipeline_config(options.config_dir, options.overrides);
+  const PipelineConfig config =
+      load_pipeline_config(options.config_dir, options.overrides, options.map);
   std::error_code not_there;
   if (std::filesystem::equivalent(options.in, options.out, not_there))
     throw config::Error("IN and OUT are the same file");
@@ -95,7 +97,8 @@ int main(int argc, char** argv) {
   perceptor::ReplayOptions options;
   CLI::App app{
       "Runs a log through locate, proximity, scan, merge and identify in one process, "
-      "as fast as it goes. The same log gives the same bytes, whenever and wherever.",
+      "as fast as it goes; with --map through localize too. The same log gives the same bytes,\n"
+      "whenever and wherever.",
       "pico-replay"};
   app.add_option("IN", options.in, "an LCM event log; its PICO_* channels are the input")
       ->required();
@@ -106,8 +109,11 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--set", options.overrides, "component.key=value, as in scan.aligner.max_gap=3")
       ->allow_extra_args(false);
+  app.add_option("--map", options.map,
+                 "the building, for localize: a name in the folder maps, or a JSON file");
   app.footer(
-      "Example:\n"
-      "  pico-replay drive.lcmlog replayed.lcmlog --set scan.aligner.max_gap=3");
+      "Examples:\n"
+      "  pico-replay drive.lcmlog replayed.lcmlog --set scan.aligner.max_gap=3\n"
+      "  pico-replay drive.lcmlog replayed.lcmlog --map hospital");
   return perceptor::run_tool(app, argc, argv, [&] { return perceptor::replay_log(options); });
 }

@@ -31,19 +31,20 @@ void check_components_are_known(const std::vector<std::string>& overrides) {
     bool known = false;
     for (const std::string_view component :
          {LocateComponent::kName, ProximityComponent::kName, ScanComponent::kName,
-          MergeComponent::kName, IdentifyComponent::kName})
+          MergeComponent::kName, IdentifyComponent::kName, LocalizeComponent::kName})
       known |= name == component;
     if (!known)
       throw config::Error("--set " + line +
-                          ": begin with a component: locate, proximity, scan, merge or "
-                          "identify, as in scan.aligner.max_gap=3");
+                          ": begin with a component: locate, proximity, scan, merge, "
+                          "identify or localize, as in scan.aligner.max_gap=3");
   }
 }
 
 }  // namespace
 
 PipelineConfig load_pipeline_config(const std::filesystem::path& config_dir,
-                                    const std::vector<std::string>& overrides) {
+                                    const std::vector<std::string>& overrides,
+                                    const std::string& map) {
   check_components_are_known(overrides);
   PipelineConfig config;
   load_one<LocateComponent>(config_dir, overrides, config.locate);
@@ -51,6 +52,11 @@ PipelineConfig load_pipeline_config(const std::filesystem::path& config_dir,
   load_one<ScanComponent>(config_dir, overrides, config.scan);
   load_one<MergeComponent>(config_dir, overrides, config.merge);
   load_one<IdentifyComponent>(config_dir, overrides, config.identify);
+  if (!map.empty()) {
+    load_one<LocalizeComponent>(config_dir, overrides, config.localize.emplace());
+    config.localize->map = map;
+    config.localize->config_dir = config_dir;
+  }
   return config;
 }
 
@@ -79,6 +85,7 @@ Pipeline::Pipeline(const PipelineConfig& config, std::int64_t boot, Sink sink)
   add<ScanComponent>(config.scan, boot);
   add<MergeComponent>(config.merge, boot);
   add<IdentifyComponent>(config.identify, boot);
+  if (config.localize) add<LocalizeComponent>(*config.localize, boot);
 }
 
 Pipeline::~Pipeline() = default;

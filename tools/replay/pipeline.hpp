@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 
 #include "common/bus/bus.hpp"
 #include "components/identify/identify_component.hpp"
+#include "components/localize/localize_component.hpp"
 #include "components/locate/locate_component.hpp"
 #include "components/merge/merge_component.hpp"
 #include "components/proximity/proximity_component.hpp"
@@ -26,12 +28,15 @@ struct PipelineConfig {
   ScanComponent::Config scan;
   MergeComponent::Config merge;
   IdentifyComponent::Config identify;
+  std::optional<LocalizeComponent::Config> localize;  ///< where the building is known
 };
 
 /// Reads locate.json, scan.json, ... and robot.json of one folder. An override names its
-/// component: "scan.aligner.max_gap=3". Throws config::Error.
+/// component: "scan.aligner.max_gap=3". `map`: of the building, as pico-localize has it; without
+/// one nobody localizes. Throws config::Error.
 PipelineConfig load_pipeline_config(const std::filesystem::path& config_dir,
-                                    const std::vector<std::string>& overrides);
+                                    const std::vector<std::string>& overrides,
+                                    const std::string& map = {});
 
 class Pipeline {
  public:
