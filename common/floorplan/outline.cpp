@@ -29,6 +29,7 @@ void extend(std::vector<Vector2>& line, std::vector<Segment>& sides) {
 std::optional<std::vector<Vector2>> find_corners(const Floorplan& plan,
                                                  const std::vector<Floorplan::Edge>& outline) {
   std::vector<Segment> sides;
+  sides.reserve(outline.size());
   for (const Floorplan::Edge& edge : outline) sides.push_back(plan.segment(edge));
   const Segment front = sides.front();
   sides.erase(sides.begin());

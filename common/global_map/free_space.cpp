@@ -64,6 +64,7 @@ void find_cabinets(const Arrangement& arrangement, const Floorplan& plan,
 Vector2 place_within(const Floorplan& plan, const std::vector<Floorplan::Edge>& outline,
                      double snap) {
   std::vector<DrawnLine> lines;
+  lines.reserve(outline.size());
   for (const Floorplan::Edge& edge : outline)
     lines.push_back({plan.segment(edge), {.is_wall = true}});
   const Arrangement alone(node(lines, snap));

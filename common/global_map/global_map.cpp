@@ -101,7 +101,7 @@ class Builder {
   /// The point of the map that is one end of a surface; none where a wall meets a cabinet's side
   /// between its corners.
   Index point_of(const Surface& surface, bool at_end) const {
-    const std::size_t index = static_cast<std::size_t>(&surface - surfaces_.data());
+    const auto index = static_cast<std::size_t>(&surface - surfaces_.data());
     const Vector2& place = at_end ? surface.segment.b : surface.segment.a;
     if (surface.cabinet == kNoCabinet) return object(wall_of_[index]).points[at_end ? 1 : 0];
     const auto& outline = object(cabinets_[static_cast<std::size_t>(surface.cabinet)]).points;

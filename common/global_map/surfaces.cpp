@@ -48,9 +48,9 @@ class Boundary {
   }
 
   /// Whether a surface may go on over the vertex at its end.
-  bool goes_straight_on(std::size_t half_edge, std::size_t next, double angle) const {
-    return cabinet_of(half_edge) == cabinet_of(next) &&
-           std::abs(turn_between(segment(half_edge), segment(next))) <= angle;
+  bool goes_straight_on(std::size_t from, std::size_t to, double angle) const {
+    return cabinet_of(from) == cabinet_of(to) &&
+           std::abs(turn_between(segment(from), segment(to))) <= angle;
   }
 
  private:

@@ -44,7 +44,7 @@ class GlobalmapComponent {
   /// Sends the map where that has become due by `now` [us, monotonic]; gives when to be called
   /// next.
   std::int64_t step(std::int64_t now);
-  bool finished() const { return false; }
+  static bool finished() { return false; }
 
  private:
   Bus& bus_;

@@ -76,15 +76,16 @@ bool is_same_place(const Position& p, const Position& q, const SearchParameters&
 
 std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
                                const std::vector<Keyframe>& keyframes,
-                               const std::vector<Position>& tracked,
+                               const std::vector<Position>& known,
                                const SearchParameters& parameters) {
-  std::vector<Position> poses = tracked;
+  std::vector<Position> poses = known;
   for (const Position& candidate : most_likely(
            world, find_candidates(world, walls, parameters.candidates), keyframes, parameters)) {
     const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
     poses.push_back(alignment ? alignment->frame_in_world.pose : candidate);
   }
   std::vector<Hypothesis> all;
+  all.reserve(poses.size());
   for (const Position& pose : poses) all.push_back(judge(world, pose, keyframes, parameters));
   const auto looks_through = [&](const Hypothesis& place) {
     return place.through > parameters.max_through;

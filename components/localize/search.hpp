@@ -24,25 +24,25 @@ struct SearchParameters {
   int glances = 150;           ///< candidates that are looked at closer
   double view = 0.5;           ///< [m] after moving so far a scan is evidence of its own
   double view_angle = 2.0;     ///< [rad] or after turning so far
-  double max_through =
-      0.04;  ///< share of the beams through walls: no place with more is in the running
-  double same_place = 0.4;    ///< [m] hypotheses this close are one
-  double same_heading = 0.3;  ///< [rad] the same
+  double max_through = 0.04;   ///< share of the beams through walls; a place with more is out
+  double same_place = 0.4;     ///< [m] hypotheses this close are one
+  double same_heading = 0.3;   ///< [rad] the same
 };
 
 /// A place that explains what the robot saw.
 struct Hypothesis {
   Position local_in_world;
-  double log_likelihood = 0.0;      ///< of all keyframes: the mean times the views
-  std::vector<double> by_keyframe;  ///< the same of each
+  double log_likelihood = 0.0;      ///< mean of the keyframes, times the root of the views
+  std::vector<double> by_keyframe;  ///< of each
   double explained = 0.0;           ///< share of the beams, mean over the keyframes
   double through = 0.0;             ///< share that go through walls
 };
 
-/// Best first, no two at one place. `walls` in the local frame. `tracked` competes too.
+/// Best first, no two at one place. `walls` in the local frame; at least one keyframe. Poses of the
+/// local frame in the world that are `known` compete too.
 std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
                                const std::vector<Keyframe>& keyframes,
-                               const std::vector<Position>& tracked,
+                               const std::vector<Position>& known,
                                const SearchParameters& parameters);
 
 /// How many scans' worth of evidence the keyframes are: what was seen from nearly one pose is wrong

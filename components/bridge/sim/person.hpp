@@ -18,7 +18,7 @@ struct PersonParameters {
   double stride = 1.3;          ///< [m] walked in one full cycle of the gait
   double step_length = 0.3;     ///< [m] a leg is this far ahead or behind at most
   double waits_within = 1.0;    ///< [m] stands still for a robot ahead that is nearer
-  double patience = 3.0;  ///< [s] after so long of waiting, turns back, except at an end
+  double patience = 3.0;        ///< [s] after so long of waiting, turns back, except at an end
 };
 
 class Person {
