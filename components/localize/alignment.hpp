@@ -7,17 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "common/geometry/position.hpp"
+#include "common/geometry/pose_estimate.hpp"
 #include "components/localize/local_wall.hpp"
 #include "components/localize/world.hpp"
 
 namespace perceptor::localize {
-
-/// A pose and how uncertain it is: x, y [m], a [rad] in the frame that it is given in.
-struct PoseEstimate {
-  Position pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
 
 struct AlignmentParameters {
   int iterations = 4;

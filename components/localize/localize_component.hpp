@@ -23,6 +23,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/config/fields.hpp"
+#include "common/config/motion_noise.hpp"
 #include "common/global_map/global_map.hpp"
 #include "components/localize/localizer.hpp"
 
@@ -41,7 +42,6 @@ void describe(config::Fields& fields, BeamFitParameters& p);
 void describe(config::Fields& fields, SearchParameters& p);
 void describe(config::Fields& fields, KeyframeParameters& p);
 void describe(config::Fields& fields, ClaimParameters& p);
-void describe(config::Fields& fields, MotionNoise& p);
 void describe(config::Fields& fields, WatchParameters& p);
 }  // namespace localize
 

@@ -79,13 +79,6 @@ void describe(config::Fields& fields, ClaimParameters& p) {
                  "after so many, places without a margin are called ambiguous");
 }
 
-void describe(config::Fields& fields, MotionNoise& p) {
-  fields.number("translation", p.translation, {1e-5, 1.0}, "[m/sqrt(m)] of the local map's pose");
-  fields.number("heading", p.heading, {1e-5, 1.0}, "[rad/sqrt(rad)] the same");
-  fields.number("heading_by_translation", p.heading_by_translation, {1e-5, 1.0}, "[rad/sqrt(m)]");
-  fields.number("still", p.still, {1e-6, 1.0}, "[m/sqrt(s), rad/sqrt(s)] with time alone");
-}
-
 void describe(config::Fields& fields, WatchParameters& p) {
   fields.number("min_explained", p.min_explained, kShare,
                 "a scan that fits less speaks against the pose");

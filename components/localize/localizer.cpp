@@ -11,26 +11,6 @@ namespace {
 
 double square(double value) { return value * value; }
 
-/// Moves the estimate on by what merge says of the motion.
-PoseEstimate predict(const PoseEstimate& robot_in_world, const Position& motion, double seconds,
-                     const MotionNoise& noise) {
-  const double distance = motion.location().norm();
-  const double turn = std::abs(motion.a);
-  const double still = square(noise.still) * seconds;
-  const double place = square(noise.translation) * distance + still;
-  const double heading =
-      square(noise.heading) * turn + square(noise.heading_by_translation) * distance + still;
-  const Vector2 way = perceptor::transform({0.0, 0.0, robot_in_world.pose.a}, motion.location());
-  Eigen::Matrix3d by_heading = Eigen::Matrix3d::Identity();
-  by_heading(0, 2) = -way.y();
-  by_heading(1, 2) = way.x();
-  PoseEstimate moved;
-  moved.pose = compose(robot_in_world.pose, motion);
-  moved.covariance = by_heading * robot_in_world.covariance * by_heading.transpose();
-  moved.covariance.diagonal() += Eigen::Vector3d(place, place, heading);
-  return moved;
-}
-
 PoseEstimate in_world(const Hypothesis& place, const Position& robot_in_local,
                       const LocalizerParameters& parameters) {
   const double sigma = parameters.found_sigma;

@@ -41,13 +41,6 @@ struct ClaimParameters {
   int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
 };
 
-struct MotionNoise {
-  double translation = 0.02;             ///< [m/sqrt(m)] of the local map's own pose
-  double heading = 0.02;                 ///< [rad/sqrt(rad)]
-  double heading_by_translation = 0.01;  ///< [rad/sqrt(m)]
-  double still = 0.001;                  ///< [m and rad / sqrt(s)] with time alone
-};
-
 struct WatchParameters {
   double min_explained = 0.2;  ///< a scan that fits less speaks against the pose
   double max_through = 0.15;   ///< or one with more beams through walls
@@ -60,7 +53,10 @@ struct LocalizerParameters {
   KeyframeParameters keyframes;
   ClaimParameters claim;
   AlignmentParameters tracking{.max_offset = 0.15, .max_angle = 0.15, .max_shift = 0.15};
-  MotionNoise motion;
+  MotionNoise motion{.translation = 0.02,
+                     .heading = 0.02,
+                     .heading_by_translation = 0.01,
+                     .still = 0.001};  ///< of the local map's own pose
   WatchParameters watch;
   double search_time = 0.3;  ///< [s] from the scan that asks where the robot is to the first
                              ///< that may know; less than it takes, and scans have to wait

@@ -11,6 +11,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/config/fields.hpp"
+#include "common/config/motion_noise.hpp"
 #include "common/config/robot.hpp"
 #include "components/merge/merger.hpp"
 
@@ -24,7 +25,6 @@ struct MergeConfig {
 
 namespace merge {
 void describe(config::Fields& fields, SightingParameters& p);
-void describe(config::Fields& fields, OdometryNoise& p);
 void describe(config::Fields& fields, SameWallParameters& p);
 void describe(config::Fields& fields, RegistrationParameters& p);
 void describe(config::Fields& fields, EndParameters& p);

@@ -29,16 +29,6 @@ void describe(config::Fields& fields, SightingParameters& p) {
   fields.number("max_radius", p.max_radius, kMetres, "[m] no end reaches further for a corner");
 }
 
-void describe(config::Fields& fields, OdometryNoise& p) {
-  fields.number("translation", p.translation, {1e-4, 1.0},
-                "[m/sqrt(m)] of the way after one metre; larger trusts the walls more");
-  fields.number("heading", p.heading, {1e-4, 1.0},
-                "[rad/sqrt(rad)] of the heading after turning by one radian");
-  fields.number("heading_by_translation", p.heading_by_translation, {1e-4, 1.0},
-                "[rad/sqrt(m)] of the heading after driving one metre");
-  fields.number("still", p.still, {1e-5, 1.0}, "[m/sqrt(s), rad/sqrt(s)] with time alone");
-}
-
 void describe(config::Fields& fields, SameWallParameters& p) {
   fields.number("offset", p.offset, kMetres, "[m] walls this close are one however sharp");
   fields.number("angle", p.angle, kAngle, "[rad] walls this parallel are one however sharp");

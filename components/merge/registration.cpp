@@ -125,22 +125,6 @@ bool agrees(const PoseEstimate& robot_in_local, const std::vector<Wall>& sighted
 
 }  // namespace
 
-PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion, double seconds,
-                     const OdometryNoise& noise) {
-  PoseEstimate predicted;
-  predicted.pose = compose(robot_in_local.pose, motion);
-  const Vector2 step = predicted.pose.location() - robot_in_local.pose.location();
-  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
-  by_pose.topRightCorner<2, 1>() = perpendicular(step);
-  const double still = square(noise.still) * seconds;
-  const double translation = square(noise.translation) * step.norm() + still;
-  const double heading = square(noise.heading) * std::abs(motion.a) +
-                         square(noise.heading_by_translation) * step.norm() + still;
-  predicted.covariance = by_pose * robot_in_local.covariance * by_pose.transpose();
-  predicted.covariance.diagonal() += Eigen::Vector3d(translation, translation, heading);
-  return predicted;
-}
-
 Registration register_walls(const std::vector<Wall>& sighted, const std::vector<Wall>& known,
                             const std::vector<Line>& known_lines, const PoseEstimate& predicted,
                             const Vector2& laser_in_robot, const SameWallParameters& agreement,

@@ -11,21 +11,15 @@
 #include <optional>
 #include <vector>
 
+#include "common/geometry/pose_estimate.hpp"
 #include "components/merge/normal_equations.hpp"
 #include "components/merge/same_wall.hpp"
 #include "components/merge/wall.hpp"
 
 namespace perceptor::merge {
 
-struct OdometryNoise {
-  double translation = 0.05;  ///< [m / sqrt(m)] after one metre; larger trusts the walls more
-  double heading = 0.2;       ///< [rad / sqrt(rad)] after turning by one radian
-  double heading_by_translation = 0.03;  ///< [rad / sqrt(m)] after driving one metre
-  double still = 0.002;                  ///< [m and rad / sqrt(s)] with time alone
-};
-
 struct RegistrationParameters {
-  OdometryNoise odometry;
+  MotionNoise odometry;
   Landmarks landmarks = Landmarks::both;  ///< `corners` shows how the robot moved by these alone
   SameWallParameters same_wall{.offset = 0.1,
                                .angle = 0.1,
@@ -44,16 +38,6 @@ struct RegistrationParameters {
   double unobservable_sigma = 0.05;  ///< [m] a direction in which the walls alone would leave
                                      ///< more is ruled by odometry
 };
-
-/// A pose and how uncertain it is: x, y [m], a [rad] in the frame that it is given in.
-struct PoseEstimate {
-  Position pose;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
-
-/// Moves the estimate on by what odometry measured in `seconds`.
-PoseEstimate predict(const PoseEstimate& robot_in_local, const Position& motion, double seconds,
-                     const OdometryNoise& noise);
 
 struct Registration {
   PoseEstimate robot_in_local;
