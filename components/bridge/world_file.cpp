@@ -9,23 +9,6 @@
 namespace perceptor::sim {
 namespace {
 
-/// What the robot's own configuration says.
-SimulatorParameters defaults_of(const Robot& robot) {
-  SimulatorParameters parameters;
-  parameters.base.footprint = outline(robot);
-  parameters.base.speed = robot.limits.speed;
-  parameters.base.turn_rate = robot.limits.turn_rate;
-  parameters.base.acceleration = robot.limits.acceleration;
-  parameters.base.angular_acceleration = robot.limits.angular_acceleration;
-  parameters.laser.laser_in_robot = robot.laser.laser_in_robot;
-  parameters.laser.valid_min = robot.laser.valid_min;
-  parameters.laser.valid_max = robot.laser.valid_max;
-  // Above valid_max with all its noise, as real sensors' own limit is.
-  parameters.laser.range_max = robot.laser.valid_max + (2.0 * parameters.laser.missed_noise);
-  parameters.laser.noise_sigma = robot.laser.range_sigma;
-  return parameters;
-}
-
 /// A door that the map draws with several edges (an outline) moves as its longest one.
 Segment opening(const Floorplan& map, const std::vector<Floorplan::Edge>& door) {
   Segment longest;
@@ -46,6 +29,23 @@ void add_map(const Floorplan& map, World& world) {
 }
 
 }  // namespace
+
+SimulatorParameters parameters_of(const Robot& robot) {
+  SimulatorParameters parameters;
+  parameters.base.footprint = outline(robot);
+  parameters.base.speed = robot.limits.speed;
+  parameters.base.turn_rate = robot.limits.turn_rate;
+  parameters.base.acceleration = robot.limits.acceleration;
+  parameters.base.angular_acceleration = robot.limits.angular_acceleration;
+  parameters.laser.laser_in_robot = robot.laser.laser_in_robot;
+  parameters.laser.valid_min = robot.laser.valid_min;
+  parameters.laser.valid_max = robot.laser.valid_max;
+  // Above valid_max with all its noise, as real sensors' own limit is.
+  parameters.laser.range_max = robot.laser.valid_max + (2.0 * parameters.laser.missed_noise);
+  parameters.laser.noise_sigma = robot.laser.range_sigma;
+  return parameters;
+}
+
 }  // namespace perceptor::sim
 
 namespace perceptor {
@@ -57,7 +57,7 @@ std::filesystem::path find_world(const std::string& world,
 
 sim::SimulatorParameters read_world(const std::filesystem::path& file, const Robot& robot) {
   sim::WorldFile world;
-  world.simulator = sim::defaults_of(robot);
+  world.simulator = sim::parameters_of(robot);
   config::load_file(file, [&](config::Fields& fields) { sim::describe(fields, world); });
 
   sim::SimulatorParameters parameters = std::move(world.simulator);

@@ -15,6 +15,11 @@ namespace perceptor {
 /// ("hospital"). Throws config::Error, which lists the worlds there are.
 std::filesystem::path find_world(const std::string& world, const std::filesystem::path& config_dir);
 
+namespace sim {
+/// What the robot's own configuration says, in an empty world.
+SimulatorParameters parameters_of(const Robot& robot);
+}  // namespace sim
+
 /// Reads a world file and the map that it names. What the file leaves open of the laser, and
 /// all of the base, is the robot's. Throws config::Error.
 sim::SimulatorParameters read_world(const std::filesystem::path& file, const Robot& robot);

@@ -33,4 +33,7 @@ Command add_map_command(CLI::App& app);
 /// Makes random worlds for the simulator.
 Command add_worlds_command(CLI::App& app);
 
+/// Scores localize in known buildings, over drawn trials.
+Command add_localize_command(CLI::App& app);
+
 }  // namespace perceptor

@@ -1,0 +1,150 @@
+#include "tools/eval/localize/oracle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry/angle.hpp"
+
+namespace perceptor {
+namespace {
+
+struct Shares {
+  double explained = 0.0;
+  double through = 0.0;
+};
+
+/// `every`: of the beams. Counts one view.
+void count(const localize::World& world, const Position& robot_in_world,
+           const std::vector<localize::Beam>& beams, std::size_t every, double tolerance,
+           double& explained, double& through, double& counted) {
+  const Position turn{0.0, 0.0, robot_in_world.a};
+  for (std::size_t i = 0; i < beams.size(); i += every) {
+    const localize::Met met = world.meet(transform(robot_in_world, beams[i].origin),
+                                         transform(turn, beams[i].direction));
+    const double range = beams[i].range;
+    if (std::abs(range - met.face) < tolerance || std::abs(range - met.door) < tolerance)
+      explained += 1.0;
+    if (range > met.face + tolerance) through += 1.0;
+    counted += 1.0;
+  }
+}
+
+class Oracle {
+ public:
+  Oracle(const localize::World& world, const std::vector<TrueView>& views,
+         const OracleParameters& parameters)
+      : world_(world), views_(views), parameters_(parameters), start_(views.front().robot_in_world) {
+    truth_ = shares(start_);
+  }
+
+  std::optional<Position> elsewhere() const {
+    Vector2 low = world_.faces().front().segment.a;
+    Vector2 high = low;
+    for (const localize::Face& face : world_.faces()) {
+      low = low.cwiseMin(face.segment.a);
+      high = high.cwiseMax(face.segment.a);
+    }
+    for (const double turn : turns())
+      for (double x = low.x(); x < high.x(); x += parameters_.step)
+        for (double y = low.y(); y < high.y(); y += parameters_.step) {
+          const Position place{x, y, wrap_angle(start_.a + turn)};
+          if (!is_here(place) && is_worth_it(place))
+            if (const auto found = refined(place)) return found;
+        }
+    return std::nullopt;
+  }
+
+ private:
+  /// Between the directions of any two faces: elsewhere the walls would stand askew.
+  std::vector<double> turns() const {
+    std::vector<double> turns;
+    for (const localize::Front& p : world_.fronts())
+      for (const localize::Front& q : world_.fronts()) {
+        const double turn = turn_between(p.line, q.line);
+        const auto is_known = [&](double known) {
+          return std::abs(angle_difference(known, turn)) < parameters_.same_angle;
+        };
+        if (std::ranges::none_of(turns, is_known)) turns.push_back(turn);
+      }
+    return turns;
+  }
+
+  bool is_here(const Position& place) const {
+    return distance(place.location(), start_.location()) < parameters_.same_place &&
+           std::abs(angle_difference(place.a, start_.a)) < parameters_.same_heading;
+  }
+
+  /// At a first glance, by few beams of the first view.
+  bool is_worth_it(const Position& place) const {
+    constexpr std::size_t kEvery = 4;
+    constexpr double kSlack = 0.2;
+    Shares here;
+    double counted = 0.0;
+    count(world_, place, views_.front().beams, kEvery, parameters_.glance, here.explained,
+          here.through, counted);
+    return here.explained >= (truth_.explained - kSlack) * counted &&
+           here.through <= (truth_.through + kSlack) * counted;
+  }
+
+  /// Of the whole drive that begins here.
+  Shares shares(const Position& start, std::size_t every = 1) const {
+    Shares shares;
+    double counted = 0.0;
+    for (std::size_t i = 0; i < views_.size(); i += every)
+      count(world_, compose(start, relative(start_, views_[i].robot_in_world)), views_[i].beams,
+            every, parameters_.tolerance, shares.explained, shares.through, counted);
+    shares.explained /= counted;
+    shares.through /= counted;
+    return shares;
+  }
+
+  /// Uphill from a place of the grid.
+  std::optional<Position> refined(Position place) const {
+    constexpr std::size_t kEvery = 2;
+    const auto rate = [&](const Position& p) {
+      const Shares s = shares(p, kEvery);
+      return s.explained - s.through;
+    };
+    double best = rate(place);
+    if (best < truth_.explained - truth_.through - 0.3) return std::nullopt;
+    for (double step = parameters_.step / 2.0; step > 0.01; step /= 2.0) {
+      bool is_better = true;
+      while (is_better) {
+        is_better = false;
+        for (const Position& move :
+             {Position{step, 0.0, 0.0}, Position{-step, 0.0, 0.0}, Position{0.0, step, 0.0},
+              Position{0.0, -step, 0.0}, Position{0.0, 0.0, step / 2.0},
+              Position{0.0, 0.0, -step / 2.0}}) {
+          const Position next = place + move;
+          const double rated = rate(next);
+          if (rated <= best) continue;
+          best = rated;
+          place = next;
+          is_better = true;
+          break;
+        }
+      }
+    }
+    const Shares there = shares(place);
+    const bool is_as_good = there.explained >= truth_.explained - parameters_.fewer &&
+                            there.through <= truth_.through + parameters_.more_through;
+    if (is_here(place) || !is_as_good) return std::nullopt;
+    return place;
+  }
+
+  const localize::World& world_;
+  const std::vector<TrueView>& views_;
+  OracleParameters parameters_;
+  Position start_;
+  Shares truth_;
+};
+
+}  // namespace
+
+std::optional<Position> elsewhere(const localize::World& world, const std::vector<TrueView>& views,
+                                  const OracleParameters& parameters) {
+  if (views.empty()) return std::nullopt;
+  return Oracle(world, views, parameters).elsewhere();
+}
+
+}  // namespace perceptor
