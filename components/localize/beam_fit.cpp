@@ -1,5 +1,6 @@
 #include "components/localize/beam_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,15 +27,32 @@ double density(double range, const Met& met, const BeamFitParameters& parameters
   return density;
 }
 
+/// Neighbouring beams that end on one thing seen at this angle or less grazing differ by no more.
+constexpr double kGrazing = 0.1;  // [rad]
+constexpr double kRough = 0.1;    // [m] noise of two ranges, and what is not straight
+
+bool end_together(const Beam& beam, const Beam& next) {
+  const double between = std::abs(cross(beam.direction, next.direction));
+  const double nearer = std::min(beam.range, next.range);
+  return std::abs(beam.range - next.range) < kRough + nearer * between / kGrazing;
+}
+
 }  // namespace
 
 std::vector<Beam> choose_beams(const std::vector<BeamEnd>& ends, int count) {
+  std::vector<Beam> all;
+  all.reserve(ends.size());
+  for (const BeamEnd& end : ends) {
+    const Vector2 along = end.location - end.origin;
+    all.push_back({end.origin, unit(along), along.norm()});
+  }
   std::vector<Beam> beams;
-  const auto wanted = static_cast<std::size_t>(count);
-  const std::size_t step = std::max<std::size_t>(1, ends.size() / wanted);
-  for (std::size_t i = step / 2; i < ends.size() && beams.size() < wanted; i += step) {
-    const Vector2 along = ends[i].location - ends[i].origin;
-    beams.push_back({ends[i].origin, unit(along), along.norm()});
+  const std::size_t wanted = std::min(static_cast<std::size_t>(count), all.size());
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const std::size_t i = (2 * k + 1) * all.size() / (2 * wanted);
+    const bool is_alone = (i == 0 || !end_together(all[i - 1], all[i])) &&
+                          (i + 1 == all.size() || !end_together(all[i], all[i + 1]));
+    if (!is_alone) beams.push_back(all[i]);
   }
   return beams;
 }

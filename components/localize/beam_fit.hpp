@@ -37,7 +37,8 @@ struct BeamFit {
   double through = 0.0;    ///< share that go through a wall of the map
 };
 
-/// `ends` in the order of their bearings.
+/// Evenly from `ends`, which are in the order of their bearings; at most `count`. A beam that ends
+/// far from where both its neighbours do measured anything at all, and is left out.
 std::vector<Beam> choose_beams(const std::vector<BeamEnd>& ends, int count);
 
 BeamFit fit_beams(const World& world, const Position& robot_in_world,

@@ -35,11 +35,10 @@ void Localizer::clear() {
 
 WorldPosition Localizer::update(const Sight& sight) {
   const std::vector<Beam> beams = choose_beams(sight.ends, parameters_.search.beams.beams);
-  const bool is_keyframe = keep_keyframe(sight, beams);
   WorldPosition position;
   if (tracked_) track(sight, beams, position);
   take_answer(sight);
-  if (is_keyframe && is_time_to_ask(sight.utime)) ask(sight);
+  if (keep_keyframe(sight, beams) && is_time_to_ask(sight.utime)) ask(sight);
   if (!position.robot_in_world) guess(sight, position);
   position.state = state_;
   position.places = static_cast<int>(places_.size());
