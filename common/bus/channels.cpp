@@ -26,6 +26,7 @@ const lcm_type_info_t* type_on(std::string_view channel) {
       Entry{entrance, pico_entrance_t_get_type_info},
       Entry{global_map, pico_map_t_get_type_info},
       Entry{world_position, pico_world_position_t_get_type_info},
+      Entry{combined_map, pico_map_t_get_type_info},
   };
   for (const auto& [name, type] : kTypes)
     if (channel == name) return type();

@@ -23,6 +23,7 @@ inline constexpr const char* identified_map = "IDENTIFIED_MAP";
 inline constexpr const char* entrance = "ENTRANCE";
 inline constexpr const char* global_map = "GLOBAL_MAP";
 inline constexpr const char* world_position = "WORLD_POSITION";
+inline constexpr const char* combined_map = "COMBINED_MAP";
 inline constexpr std::string_view status_prefix = "STATUS_";
 
 /// The type of the messages on a channel of ours; null for any other channel.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "common/geometry/angle.hpp"
+#include "common/model/map_parts.hpp"
 
 namespace perceptor {
 namespace {
@@ -159,6 +161,23 @@ pico::map_t make_map_message(const std::string& frame, const Map& map) {
   message.robot_in_local_covariance[0] = -1.0;
   set_map(message, map);
   return message;
+}
+
+std::vector<pico::map_t> make_map_messages(const std::string& frame, const Map& map,
+                                           std::int64_t map_id) {
+  // Some 180 bytes an object and 150 a point.
+  constexpr std::size_t kObjectsInPart = 120;
+  constexpr std::size_t kPointsInPart = 250;
+  const std::vector<Map> parts = parts_of(map, kObjectsInPart, kPointsInPart);
+  std::vector<pico::map_t> messages;
+  for (const Map& part : parts) {
+    pico::map_t message = make_map_message(frame, part);
+    message.map_id = map_id;
+    message.part = static_cast<std::int32_t>(messages.size());
+    message.parts = static_cast<std::int32_t>(parts.size());
+    messages.push_back(std::move(message));
+  }
+  return messages;
 }
 
 }  // namespace perceptor

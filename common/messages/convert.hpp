@@ -1,7 +1,9 @@
 /// @file Messages <-> model. The only place that sets the counts of a message.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <pico/laser_scan_t.hpp>
 #include <pico/map_t.hpp>
@@ -27,5 +29,9 @@ void set_map(pico::map_t& message, const Map& map);
 
 /// A message of one part in a named frame; everything unknown says so.
 pico::map_t make_map_message(const std::string& frame, const Map& map);
+
+/// A map of any size in as many parts as each is well within one message.
+std::vector<pico::map_t> make_map_messages(const std::string& frame, const Map& map,
+                                           std::int64_t map_id);
 
 }  // namespace perceptor

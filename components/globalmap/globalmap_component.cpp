@@ -7,16 +7,11 @@
 #include "common/floorplan/floorplan.hpp"
 #include "common/messages/convert.hpp"
 #include "common/time/stamp.hpp"
-#include "components/globalmap/parts.hpp"
 
 namespace perceptor {
 namespace {
 
 constexpr std::int64_t kPeriod = kMicrosecondsPerSecond;
-
-// Some 180 bytes an object and 150 a point: well within one message.
-constexpr std::size_t kObjectsInPart = 120;
-constexpr std::size_t kPointsInPart = 250;
 
 std::int64_t wall_now() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -30,19 +25,6 @@ Floorplan read(const GlobalmapConfig& config, Bus& bus) {
   for (const std::string& pointer : plan.ignored)
     bus.count(channel::global_map, "ignored in the file: " + pointer, 1);
   return plan;
-}
-
-std::vector<pico::map_t> to_messages(const global_map::GlobalMap& global) {
-  const std::vector<Map> parts = globalmap::parts_of(global.map, kObjectsInPart, kPointsInPart);
-  std::vector<pico::map_t> messages;
-  for (const Map& part : parts) {
-    pico::map_t message = make_map_message("world", part);
-    message.map_id = global.id;
-    message.part = static_cast<std::int32_t>(messages.size());
-    message.parts = static_cast<std::int32_t>(parts.size());
-    messages.push_back(std::move(message));
-  }
-  return messages;
 }
 
 }  // namespace
@@ -65,7 +47,7 @@ GlobalmapComponent::GlobalmapComponent(const GlobalmapConfig& config, Bus& bus)
   try {
     const global_map::GlobalMap global =
         global_map::make_global_map(read(config, bus), config.global_map);
-    parts_ = to_messages(global);
+    parts_ = make_map_messages("world", global.map, global.id);
   } catch (const global_map::TooManyCrossings& error) {
     throw config::Error(config.map + ": " + error.what());
   }

@@ -37,15 +37,20 @@ struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d of_map = Eigen::Matrix3d::Zero();  ///< information if only the map erred
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double squared_offsets = 0.0;   ///< [m^2] weighted, from walls to faces
+  double offset_variances = 0.0;  ///< [m^2] what of it the walls' own errors explain
+  double offsets = 0.0;           ///< how many, weighted
 
   /// One measurement: `residual` changes by `jacobian` with the pose.
-  void add(const Eigen::Vector3d& jacobian, double residual, double variance, double map_variance,
-           double outlier_sigmas) {
+  /// Gives the weight it has among outliers.
+  double add(const Eigen::Vector3d& jacobian, double residual, double variance,
+             double map_variance, double outlier_sigmas) {
     const double total = variance + map_variance;
     const double weight = 1.0 / (1.0 + square(residual / outlier_sigmas) / total);
     information += weight / total * jacobian * jacobian.transpose();
     of_map += weight / map_variance * jacobian * jacobian.transpose();
     gradient -= weight / total * jacobian * residual;
+    return weight;
   }
 };
 
@@ -57,9 +62,13 @@ void add_wall(NormalEquations& equations, const Position& frame_in_world, const 
     const Vector2 lever = perpendicular(point - frame_in_world.location());
     return Eigen::Vector3d(axis.x(), axis.y(), axis.dot(lever));
   };
-  equations.add(jacobian(line.normal, wall.line.middle),
-                line.normal.dot(wall.line.middle - line.middle), wall.covariance(0, 0),
-                map_variance, parameters.outlier_sigmas);
+  const double offset = line.normal.dot(wall.line.middle - line.middle);
+  const double weight = equations.add(jacobian(line.normal, wall.line.middle), offset,
+                                      wall.covariance(0, 0), map_variance,
+                                      parameters.outlier_sigmas);
+  equations.squared_offsets += weight * square(offset);
+  equations.offset_variances += weight * wall.covariance(0, 0);
+  equations.offsets += weight;
   // A face whose ends are off by the map's error turns by so much.
   equations.add({0.0, 0.0, 1.0}, turn_between(line, wall.line), wall.covariance(1, 1),
                 2.0 * map_variance / square(line.length), parameters.outlier_sigmas);
@@ -113,6 +122,12 @@ std::optional<Alignment> align(const World& world, const std::vector<LocalWall>&
     pose = {pose.x + change[0], pose.y + change[1], wrap_angle(pose.a + change[2])};
     alignment.frame_in_world.covariance = solver.solve(Eigen::Matrix3d::Identity());
   }
+  // The pose took three of the offsets for itself.
+  constexpr double kTaken = 3.0;
+  constexpr double kEnough = 1.0;
+  if (const double left = equations.offsets - kTaken; left > kEnough)
+    alignment.map_variance =
+        std::max(0.0, (equations.squared_offsets - equations.offset_variances) / left);
   // Where the walls say nothing the map's error does not matter.
   alignment.map_covariance = (equations.of_map + kLoose * Eigen::Matrix3d::Identity()).inverse();
   return alignment;

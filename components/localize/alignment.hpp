@@ -19,7 +19,7 @@ struct AlignmentParameters {
   double max_angle = 0.2;       ///< [rad]
   double max_shift = 0.25;      ///< [m] from a corner to that of its face, along it
   double min_overlap = 0.5;     ///< of the shorter of the two
-  double map_sigma = 0.01;      ///< [m] how far the real walls stand off the map
+  double map_sigma = 0.01;      ///< [m] how far the real walls stand off the map, at a guess
   double outlier_sigmas = 2.5;  ///< a wall this far off counts half
 };
 
@@ -29,6 +29,8 @@ struct Alignment {
   double matched_length = 0.0;      ///< [m] of these, on their faces
   Eigen::Matrix3d map_covariance =  ///< what of the covariance is the map's own error: the same
       Eigen::Matrix3d::Zero();      ///< from scan to scan
+  std::optional<double> map_variance;  ///< [m^2] how far the walls stood off the map, by what was
+                                       ///< left over; none where too few walls matched
 };
 
 /// Lays the walls of one frame on the world's faces. `start` is the frame's pose in the world; with

@@ -101,11 +101,7 @@ class Finder {
       : world_(world), walls_(walls), parameters_(parameters), cells_(parameters) {}
 
   void lay_pairs() {
-    std::vector<LocalWall> longest = walls_;
-    std::ranges::stable_sort(longest, std::ranges::greater{},
-                             [](const LocalWall& wall) { return wall.line.length; });
-    if (longest.size() > static_cast<std::size_t>(parameters_.walls))
-      longest.resize(static_cast<std::size_t>(parameters_.walls));
+    const std::vector<LocalWall> longest = longest_walls(parameters_.walls);
     for (std::size_t i = 0; i < longest.size(); ++i)
       for (std::size_t j = i + 1; j < longest.size(); ++j)
         lay_pair(longest[i].line, longest[j].line);
@@ -118,9 +114,34 @@ class Finder {
           for (const Face& face : world_.faces()) lay_corner(wall, face, end);
   }
 
+  void slide_along_fronts() {
+    for (const LocalWall& wall : longest_walls(parameters_.slid))
+      for (const Front& front : world_.fronts()) slide_along(wall.line, front);
+  }
+
   std::vector<Candidate> best_first() const { return cells_.best_first(); }
 
  private:
+  std::vector<LocalWall> longest_walls(int count) const {
+    std::vector<LocalWall> longest = walls_;
+    std::ranges::stable_sort(longest, std::ranges::greater{},
+                             [](const LocalWall& wall) { return wall.line.length; });
+    longest.resize(std::min(longest.size(), static_cast<std::size_t>(count)));
+    return longest;
+  }
+
+  void slide_along(const Line& wall, const Front& front) {
+    const double turn = wrap_angle(turn_between(wall, front.line));
+    const Vector2 turned = perceptor::transform({0.0, 0.0, turn}, wall.middle);
+    const double reach = wall.length / 2.0;
+    const double end = front.pieces.back().to + reach;
+    for (double at = front.pieces.front().from - reach; at <= end; at += parameters_.slide) {
+      const Vector2 place = point_at(front.line, at) - turned;
+      const Position pose{place.x(), place.y(), turn};
+      if (lies_on(wall, front, pose)) add(pose);
+    }
+  }
+
   void lay_pair(const Line& p, const Line& q) {
     const double between = turn_between(p, q);
     if (std::abs(std::sin(between)) < std::sin(parameters_.min_angle)) return;
@@ -165,6 +186,7 @@ std::vector<Candidate> find_candidates(const World& world, const std::vector<Loc
   Finder finder(world, walls, parameters);
   finder.lay_pairs();
   finder.lay_corners();
+  finder.slide_along_fronts();
   std::vector<Candidate> candidates = finder.best_first();
   if (candidates.size() > static_cast<std::size_t>(parameters.count))
     candidates.resize(static_cast<std::size_t>(parameters.count));

@@ -4,6 +4,8 @@
 /// the same angle, fix the pose; so does one wall with an end that is a corner, laid on a face. All
 /// such poses are tried (the interpretation tree of W. E. L. Grimson, "Object Recognition by
 /// Computer", 1990, at its first two levels), and ranked by the length of wall that they explain.
+/// Among clutter there may be one wall in view that the map has: the longest are also slid along
+/// each front.
 #pragma once
 
 #include <vector>
@@ -22,7 +24,9 @@ struct CandidateParameters {
   double min_share = 0.5;    ///< of a wall that has to lie on its front
   double cell = 0.15;        ///< [m] candidates this close are one
   double cell_angle = 0.1;   ///< [rad] the same
-  int count = 3000;          ///< the best are kept
+  int slid = 3;              ///< walls that are slid along fronts, the longest
+  double slide = 0.2;        ///< [m] from place to place
+  int count = 5000;          ///< the best are kept
 };
 
 struct Candidate {

@@ -69,7 +69,12 @@ LocalizeComponent::LocalizeComponent(const LocalizeConfig& config, Bus& bus)
 
 LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
                                      const global_map::GlobalMap& building, Bus& bus)
-    : bus_(bus), map_id_(building.id), localizer_(localize::World(building.map), config.localize) {
+    : bus_(bus),
+      map_id_(building.id),
+      combined_period_(config.combined_period),
+      world_(building.map),
+      localizer_(world_, config.localize),
+      combined_(world_, building.map, config.localize.search.beams, config.combined) {
   bus_.subscribe<pico::laser_scan_t>(
       channel::laser, kQueue,
       [this](const pico::laser_scan_t& scan, bool began_anew) { take_scan(scan, began_anew); });
@@ -122,6 +127,7 @@ void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t
   if (!is_same_frame) {
     localizer_.clear();
     last_map_.reset();
+    combined_at_.reset();
   }
   localize::Sight sight;
   sight.utime = map.utime;
@@ -131,7 +137,23 @@ void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t
   last_map_ = map;
   last_map_->points.clear();
   last_map_->objects.clear();
-  bus_.publish(channel::world_position, to_message(map, map_id_, localizer_.update(sight)));
+  const localize::WorldPosition position = localizer_.update(sight);
+  bus_.publish(channel::world_position, to_message(map, map_id_, position));
+  combine(position, sight, map.session);
+}
+
+void LocalizeComponent::combine(const localize::WorldPosition& position,
+                                const localize::Sight& sight, std::int64_t session) {
+  const bool is_tracking = position.state == localize::State::tracking && position.robot_in_world;
+  if (is_tracking) combined_.add(*position.robot_in_world, sight.ends, sight.utime);
+  if (was_tracking_ && !is_tracking) combined_.clear();
+  was_tracking_ = is_tracking;
+  if (combined_at_ && seconds_between(*combined_at_, sight.utime) < combined_period_) return;
+  combined_at_ = sight.utime;
+  for (pico::map_t& part : make_map_messages("world", combined_.map(sight.utime), map_id_)) {
+    set_stamp(part, {sight.utime + part.part, session, combined_maps_++});
+    bus_.publish(channel::combined_map, part);
+  }
 }
 
 void LocalizeComponent::check_id(const pico::map_t& global_map) {

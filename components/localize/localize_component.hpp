@@ -1,8 +1,8 @@
 /// @file localize: where the robot is in the known building, one WORLD_POSITION for each
-/// LOCAL_MAP.
+/// LOCAL_MAP, and what it found of that building, a COMBINED_MAP now and then.
 ///
 /// in:  PICO_LASER, LOCAL_MAP (of the same scan), GLOBAL_MAP (only its id)
-/// out: WORLD_POSITION
+/// out: WORLD_POSITION, COMBINED_MAP
 ///
 /// The map file is read here too, so that localize needs nobody else to be there; GLOBAL_MAP tells
 /// whether all speak of the same one.
@@ -25,6 +25,7 @@
 #include "common/config/fields.hpp"
 #include "common/config/motion_noise.hpp"
 #include "common/global_map/global_map.hpp"
+#include "components/localize/combined_map.hpp"
 #include "components/localize/localizer.hpp"
 
 namespace perceptor {
@@ -32,6 +33,8 @@ namespace perceptor {
 struct LocalizeConfig {
   std::string map = "hospital";  ///< a map's name in the folder `maps`, or its file
   localize::LocalizerParameters localize;
+  localize::CombinedMapParameters combined;
+  double combined_period = 0.2;  ///< [s] of scans from one COMBINED_MAP to the next
   std::filesystem::path config_dir;  ///< set by the runner
 };
 
@@ -43,6 +46,8 @@ void describe(config::Fields& fields, SearchParameters& p);
 void describe(config::Fields& fields, KeyframeParameters& p);
 void describe(config::Fields& fields, ClaimParameters& p);
 void describe(config::Fields& fields, WatchParameters& p);
+void describe(config::Fields& fields, UnknownObjectParameters& p);
+void describe(config::Fields& fields, CombinedMapParameters& p);
 }  // namespace localize
 
 void describe(config::Fields& fields, LocalizeConfig& config);
@@ -68,10 +73,18 @@ class LocalizeComponent {
   void check_id(const pico::map_t& global_map);
   void settle();
   void locate(const pico::laser_scan_t& scan, const pico::map_t& map);
+  void combine(const localize::WorldPosition& position, const localize::Sight& sight,
+               std::int64_t session);
 
   Bus& bus_;
   std::int64_t map_id_;
+  double combined_period_;
+  localize::World world_;
   localize::Localizer localizer_;
+  localize::CombinedMap combined_;
+  bool was_tracking_ = false;
+  std::optional<std::int64_t> combined_at_;  ///< [us] utime of the last COMBINED_MAP
+  std::int64_t combined_maps_ = 0;           ///< messages so far
   std::deque<pico::laser_scan_t> scans_;  ///< whose map may still come
   std::deque<pico::map_t> maps_;          ///< whose scan may still come
   std::optional<pico::map_t> last_map_;   ///< without objects and points

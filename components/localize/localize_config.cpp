@@ -20,7 +20,9 @@ void describe(config::Fields& fields, CandidateParameters& p) {
   fields.number("min_share", p.min_share, kShare, "of a wall that has to lie on the map's");
   fields.number("cell", p.cell, {0.01, 10.0}, "[m] candidates this close are one");
   fields.number("cell_angle", p.cell_angle, {0.01, 1.5}, "[rad] the same");
-  fields.integer("count", p.count, {1, 10000}, "kept: the best");
+  fields.integer("slid", p.slid, {0, 50}, "walls that are slid along the map's, the longest");
+  fields.number("slide", p.slide, {0.01, 10.0}, "[m] from place to place");
+  fields.integer("count", p.count, {1, 100000}, "kept: the best");
 }
 
 void describe(config::Fields& fields, AlignmentParameters& p) {
@@ -29,7 +31,7 @@ void describe(config::Fields& fields, AlignmentParameters& p) {
   fields.number("max_angle", p.max_angle, kAngle, "[rad] the same");
   fields.number("max_shift", p.max_shift, kMetres, "[m] from a corner to that of the map");
   fields.number("min_overlap", p.min_overlap, kShare, "of the shorter of the two");
-  fields.number("map_sigma", p.map_sigma, kSmall, "[m] how far the real walls stand off the map");
+  fields.number("map_sigma", p.map_sigma, kSmall, "[m] how far the real walls stand off the map, at a guess");
   fields.number("outlier_sigmas", p.outlier_sigmas, {0.1, 20.0}, "a wall this far off counts half");
 }
 
@@ -54,6 +56,8 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.number("glance_sigma", p.glance_sigma, {1e-6, 1.0},
                 "[m] of a range there, with a candidate's own error");
   fields.integer("glances", p.glances, {1, 10000}, "candidates that are looked at closer");
+  fields.number("climb", p.climb, {1e-4, 1.0}, "[m] and [rad] first step uphill from there");
+  fields.number("climb_end", p.climb_end, {1e-4, 1.0}, "[m] and [rad] least step");
   fields.number("view", p.view, {1e-3, 100.0},
                 "[m] after moving so far a scan is evidence of its own");
   fields.number("view_angle", p.view_angle, {1e-3, 100.0}, "[rad] or after turning so far");
@@ -67,12 +71,17 @@ void describe(config::Fields& fields, KeyframeParameters& p) {
   fields.number("distance", p.distance, kMetres, "[m] from the last; closer ones say the same");
   fields.number("angle", p.angle, {0.0, 3.2}, "[rad] the same");
   fields.integer("count", p.count, {1, 1000}, "kept; more decide safer and cost more");
+  fields.number("reach", p.reach, {0.1, 1e6}, "[m] and [rad] of way, before which all is forgotten");
 }
 
 void describe(config::Fields& fields, ClaimParameters& p) {
   fields.integer("min_keyframes", p.min_keyframes, {1, 1000}, "that were seen from the place");
   fields.integer("min_leads", p.min_leads, {1, 1000}, "on which it beats the runner-up");
   fields.number("margin", p.margin, {0.0, 1e6}, "of log likelihood over the runner-up");
+  fields.number("explained_lead", p.explained_lead, kShare,
+                "of the share explained over any other place's, for one view; less for more");
+  fields.number("lost_margin", p.lost_margin, {0.0, 1e6},
+                "another place this much better ends a claim");
   fields.number("min_explained", p.min_explained, kShare,
                 "share of the beams that end where the map says");
   fields.integer("ambiguous_keyframes", p.ambiguous_keyframes, {1, 1000},
@@ -87,6 +96,47 @@ void describe(config::Fields& fields, WatchParameters& p) {
   fields.number("period", p.period, {0.1, 3600.0}, "[s] until the claimed place has to win again");
 }
 
+void describe(config::Fields& fields, UnknownObjectParameters& p) {
+  constexpr config::Range kBeams{0.0, 1e6};
+  constexpr config::Range kSeconds{0.0, 3600.0};
+  fields.number("cell", p.cell, {0.01, 1.0}, "[m] in which ends of beams are counted");
+  fields.number("hit", p.hit, kBeams, "what a beam that ends in a cell counts");
+  fields.number("pass", p.pass, kBeams, "what one that passes through counts against it");
+  fields.number("most", p.most, kBeams, "a cell's count is no larger");
+  fields.number("least", p.least, kBeams, "of a cell of a static object");
+  fields.number("min_age", p.min_age, kSeconds, "[s] that such a cell was hit");
+  fields.number("object", p.object, kBeams, "least count of a static object, over its cells");
+  fields.number("moving", p.moving, kBeams, "the same of a dynamic one");
+  fields.number("fresh", p.fresh, kSeconds, "[s] since a dynamic one was hit");
+  fields.number("behind", p.behind, {0.0, 10.0}, "[m] behind a cell a beam ends that passed it");
+  fields.number("touching", p.touching, {0.0, 10.0}, "[m] cells this close are of one object");
+  fields.integer("max_cells", p.max_cells, {10, 1'000'000}, "then the weakest go");
+}
+
+void describe(config::Fields& fields, CombinedMapParameters& p) {
+  fields.integer("beams", p.beams, {10, 10000}, "of a scan, evenly chosen");
+  fields.number("max_sigma", p.max_sigma, kSmall,
+                "[m] of the pose; less certain, and the scan does not count");
+  fields.number("max_angle", p.max_angle, kSmall, "[rad] the same");
+  fields.number("check_period", p.check_period, {0.0, 3600.0},
+                "[s] until the pose has to fit better than those beside it again");
+  fields.number("beside", p.beside, kMetres, "[m] how far beside");
+  fields.number("askew", p.askew, kAngle, "[rad] and twice that, the same");
+  fields.number("tolerance", p.tolerance, kMetres, "[m] a beam this close to a wall ends on it");
+  fields.number("through", p.through, kMetres, "[m] one so far behind it passes through");
+  fields.number("wall", p.wall, {0.0, 1e6}, "beams in balance confirm or contradict a wall");
+  fields.number("most_wall", p.most_wall, {0.0, 1e6}, "the balance goes no further");
+  fields.number("door_middle", p.door_middle, kShare, "share of a doorway's width that tells");
+  fields.number("min_incidence", p.min_incidence, kShare, "sine of a beam's angle to walls, doors");
+  fields.number("leaf", p.leaf, kMetres, "[m] from a wall's faces: where a leaf may stand");
+  fields.number("door_memory", p.door_memory, {0.01, 3600.0},
+                "[s] in which what was seen of a doorway fades");
+  fields.number("door", p.door, {0.0, 1e6}, "beams that tell its state");
+  fields.number("max_range", p.max_range, {0.0, 1000.0},
+                "[m] unknown things farther away are not looked at");
+  fields.group("objects", p.objects, "things that the map does not have");
+}
+
 }  // namespace localize
 
 void describe(config::Fields& fields, LocalizeConfig& config) {
@@ -98,11 +148,17 @@ void describe(config::Fields& fields, LocalizeConfig& config) {
   fields.group("tracking", p.tracking, "how the robot is followed");
   fields.group("motion", p.motion, "how much the local map's own pose errs");
   fields.group("watch", p.watch, "what takes a claim back");
+  fields.number("map_time", p.map_time, {0.01, 3600.0},
+                "[s] in which is learnt how far the walls stand off the map");
+  fields.number("min_map_sigma", p.min_map_sigma, {1e-6, 1.0}, "[m] they do at least");
   fields.number("search_time", p.search_time, {0.0, 10.0},
                 "[s] from the scan that asks to the first that may know; scans wait if a search "
                 "takes longer");
   fields.number("found_sigma", p.found_sigma, {1e-6, 1.0}, "[m] of the pose when it is claimed");
   fields.number("found_heading_sigma", p.found_heading_sigma, {1e-6, 1.0}, "[rad] the same");
+  fields.group("combined", config.combined, "what the robot found of the building");
+  fields.number("combined_period", config.combined_period, {0.0, 60.0},
+                "[s] of scans from one COMBINED_MAP to the next");
 }
 
 }  // namespace perceptor

@@ -1,5 +1,6 @@
 #include "components/localize/localizer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,6 +31,7 @@ int count_leads(const Hypothesis& best, const Hypothesis& second) {
 
 void Localizer::clear() {
   lose(0);
+  forget_map_error();
   state_ = State::searching;
 }
 
@@ -46,16 +48,36 @@ WorldPosition Localizer::update(const Sight& sight) {
 }
 
 bool Localizer::keep_keyframe(const Sight& sight, const std::vector<Beam>& beams) {
+  double way = 0.0;
   if (!keyframes_.empty()) {
     const Position step = relative(keyframes_.back().robot_in_local, sight.robot_in_local);
-    const bool is_new = step.location().norm() >= parameters_.keyframes.distance ||
-                        std::abs(step.a) >= parameters_.keyframes.angle;
-    if (!is_new) return false;
+    const double moved = step.location().norm();
+    const double turned = std::abs(step.a);
+    if (moved < parameters_.keyframes.distance && turned < parameters_.keyframes.angle)
+      return false;
+    way = keyframes_.back().way + moved + turned;
   }
+  const auto is_far_back = [&](const Keyframe& keyframe) {
+    return way - keyframe.way > parameters_.keyframes.reach;
+  };
+  std::erase_if(keyframes_, is_far_back);
   if (keyframes_.size() == static_cast<std::size_t>(parameters_.keyframes.count))
-    keyframes_.erase(keyframes_.begin());
-  keyframes_.push_back({sight.robot_in_local, beams});
+    forget_one_of_many();
+  keyframes_.push_back({sight.robot_in_local, beams, way});
   return true;
+}
+
+/// The one whose neighbours are closest: the others stay spread over the way.
+void Localizer::forget_one_of_many() {
+  std::size_t least = 0;
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i + 1 < keyframes_.size(); ++i) {
+    const double without = keyframes_[i + 1].way - keyframes_[i - 1].way;
+    if (without >= gap) continue;
+    gap = without;
+    least = i;
+  }
+  keyframes_.erase(keyframes_.begin() + static_cast<std::ptrdiff_t>(least));
 }
 
 void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position) {
@@ -64,7 +86,10 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   PoseEstimate estimate = predict(tracked_->robot_in_world, motion, seconds, parameters_.motion);
   PoseEstimate published = estimate;
   const std::vector<LocalWall> walls = local_walls(sight.walls, sight.utime);
-  if (const auto alignment = align(world_, walls, estimate, true, parameters_.tracking)) {
+  AlignmentParameters tracking = parameters_.tracking;
+  tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(map_variance_));
+  if (const auto alignment = align(world_, walls, estimate, true, tracking)) {
+    learn_map_error(*alignment, seconds);
     estimate = alignment->frame_in_world;
     published = estimate;
     published.covariance += alignment->map_covariance;
@@ -81,6 +106,14 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   if (is_bad && !bad_since_) bad_since_ = sight.utime;
   if (is_bad && seconds_between(*bad_since_, sight.utime) >= parameters_.watch.time)
     lose(sight.utime);
+}
+
+void Localizer::forget_map_error() { map_variance_ = square(parameters_.tracking.map_sigma); }
+
+void Localizer::learn_map_error(const Alignment& alignment, double seconds) {
+  if (!alignment.map_variance) return;
+  const double share = 1.0 - std::exp(-seconds / parameters_.map_time);
+  map_variance_ += share * (*alignment.map_variance - map_variance_);
 }
 
 bool Localizer::is_time_to_ask(std::int64_t utime) const {
@@ -107,9 +140,11 @@ void Localizer::take_answer(const Sight& sight) {
   if (!answer_.valid()) return;
   if (seconds_between(asked_, sight.utime) < parameters_.search_time) return;
   places_ = answer_.get();
-  if (tracked_) {
-    if (!still_wins(sight)) lose(sight.utime);
-  } else if (is_claimed()) {
+  if (tracked_ && !still_wins(sight)) {
+    state_ = State::lost;
+    tracked_.reset();
+  }
+  if (!tracked_ && is_claimed()) {
     state_ = State::tracking;
     tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
                        sight.robot_in_local, sight.utime};
@@ -123,8 +158,11 @@ bool Localizer::is_claimed() const {
   if (best.by_keyframe.size() < static_cast<std::size_t>(claim.min_keyframes)) return false;
   if (best.explained < claim.min_explained) return false;
   if (places_.size() < 2) return true;
+  const double most = best.explained - claim.explained_lead / views(keyframes_, parameters_.search);
+  const auto is_worse = [&](const Hypothesis& place) { return place.explained <= most; };
   return best.log_likelihood - places_[1].log_likelihood >= claim.margin &&
-         count_leads(best, places_[1]) >= claim.min_leads;
+         count_leads(best, places_[1]) >= claim.min_leads &&
+         std::all_of(places_.begin() + 1, places_.end(), is_worse);
 }
 
 bool Localizer::is_ambiguous() const {
@@ -135,14 +173,16 @@ bool Localizer::is_ambiguous() const {
          best.log_likelihood - places_[1].log_likelihood < claim.margin;
 }
 
-/// Nothing else explains the last keyframes better by a margin.
+/// Nothing else explains the keyframes better by a margin.
 bool Localizer::still_wins(const Sight& sight) const {
   const Position here = tracked_->robot_in_world.pose;
-  for (const Hypothesis& place : places_)
-    if (is_same_place(compose(place.local_in_world, sight.robot_in_local), here,
-                      parameters_.search))
-      return places_.front().log_likelihood - place.log_likelihood < parameters_.claim.margin;
-  return true;
+  const auto is_here = [&](const Hypothesis& place) {
+    return is_same_place(compose(place.local_in_world, sight.robot_in_local), here,
+                         parameters_.search);
+  };
+  const auto own = std::ranges::find_if(places_, is_here);
+  if (own == places_.end()) return !is_claimed();
+  return places_.front().log_likelihood - own->log_likelihood < parameters_.claim.lost_margin;
 }
 
 void Localizer::guess(const Sight& sight, WorldPosition& position) const {

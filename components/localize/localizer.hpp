@@ -28,15 +28,19 @@ enum class State : std::int8_t {
 };
 
 struct KeyframeParameters {
-  double distance = 0.25;  ///< [m] from the last one; closer ones say the same again
-  double angle = 0.25;     ///< [rad] the same
-  int count = 12;          ///< are kept; more decide safer and cost more
+  double distance = 0.15;  ///< [m] from the last one; closer ones say the same again
+  double angle = 0.15;     ///< [rad] the same
+  int count = 12;          ///< are kept, spread over the way; more decide safer and cost more
+  double reach = 15.0;     ///< [m] and [rad] of way, before which they are forgotten
 };
 
 struct ClaimParameters {
   int min_keyframes = 3;        ///< that were seen from the place
   int min_leads = 3;            ///< of those, on which it beats the runner-up
   double margin = 30.0;         ///< of the log likelihood over the runner-up's
+  double explained_lead = 0.15; ///< of the share explained over that of any other place, for one
+                                ///< view; less for more
+  double lost_margin = 10.0;    ///< another place this much better ends a claim
   double min_explained = 0.4;   ///< share of the beams that end where the map says
   int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
 };
@@ -58,6 +62,8 @@ struct LocalizerParameters {
                      .heading_by_translation = 0.01,
                      .still = 0.001};  ///< of the local map's own pose
   WatchParameters watch;
+  double map_time = 5.0;        ///< [s] in which is learnt how far the walls stand off the map
+  double min_map_sigma = 0.002; ///< [m] they do at least
   double search_time = 0.3;  ///< [s] from the scan that asks where the robot is to the first
                              ///< that may know; less than it takes, and scans have to wait
   double found_sigma = 0.1;  ///< [m] of the pose when it is claimed
@@ -84,7 +90,9 @@ struct WorldPosition {
 class Localizer {
  public:
   Localizer(World world, const LocalizerParameters& parameters)
-      : world_(std::move(world)), parameters_(parameters) {}
+      : world_(std::move(world)), parameters_(parameters) {
+    forget_map_error();
+  }
 
   // A search that runs beside looks at this object.
   Localizer(const Localizer&) = delete;
@@ -104,6 +112,7 @@ class Localizer {
   };
 
   bool keep_keyframe(const Sight& sight, const std::vector<Beam>& beams);
+  void forget_one_of_many();
   bool is_time_to_ask(std::int64_t utime) const;
   void ask(const Sight& sight);
   void take_answer(const Sight& sight);
@@ -111,6 +120,8 @@ class Localizer {
   bool is_ambiguous() const;
   bool still_wins(const Sight& sight) const;
   void track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position);
+  void forget_map_error();
+  void learn_map_error(const Alignment& alignment, double seconds);
   void guess(const Sight& sight, WorldPosition& position) const;
   void lose(std::int64_t utime);
 
@@ -119,6 +130,7 @@ class Localizer {
   State state_ = State::searching;
   std::vector<Keyframe> keyframes_;
   std::optional<Tracked> tracked_;
+  double map_variance_ = 0.0;  ///< [m^2] how far the walls stand off the map
   std::future<std::vector<Hypothesis>> answer_;
   std::int64_t asked_ = 0;                 ///< [us] utime of the scan that asked
   std::vector<Hypothesis> places_;         ///< the last answer, best first

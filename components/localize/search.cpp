@@ -26,34 +26,66 @@ Hypothesis judge(const World& world, const Position& local_in_world,
   return hypothesis;
 }
 
-/// The candidates that fit the last keyframe best, at a glance: few beams, and as exact as
-/// candidates are before they are aligned.
-std::vector<Position> most_likely(const World& world, const std::vector<Candidate>& candidates,
-                                  const std::vector<Keyframe>& keyframes,
-                                  const SearchParameters& parameters) {
-  std::vector<std::pair<double, Position>> rated;
+/// Some beams of the first and the last keyframe: enough to choose by.
+std::vector<Keyframe> glances_of(const std::vector<Keyframe>& keyframes,
+                                 const SearchParameters& parameters) {
   const std::size_t every = static_cast<std::size_t>(parameters.glance_every);
   std::vector<Keyframe> glances;
   for (const Keyframe* keyframe : {&keyframes.front(), &keyframes.back()}) {
-    glances.push_back({keyframe->robot_in_local, {}});
+    glances.push_back({keyframe->robot_in_local, {}, keyframe->way});
     for (std::size_t i = 0; i < keyframe->beams.size(); i += every)
       glances.back().beams.push_back(keyframe->beams[i]);
   }
+  return glances;
+}
+
+double glance(const World& world, const Position& local_in_world,
+              const std::vector<Keyframe>& glances, const BeamFitParameters& parameters) {
+  double fit = 0.0;
+  for (const Keyframe& keyframe : glances)
+    fit += fit_beams(world, compose(local_in_world, keyframe.robot_in_local), keyframe.beams,
+                     parameters)
+               .log_likelihood;
+  return fit;
+}
+
+/// The candidates that fit best, at a glance: few beams, and as exact as candidates are before
+/// they are aligned.
+std::vector<Position> most_likely(const World& world, const std::vector<Candidate>& candidates,
+                                  const std::vector<Keyframe>& glances,
+                                  const SearchParameters& parameters) {
+  std::vector<std::pair<double, Position>> rated;
   BeamFitParameters coarse = parameters.beams;
   coarse.sigma = parameters.glance_sigma;
-  for (const Candidate& candidate : candidates) {
-    double fit = 0.0;
-    for (const Keyframe& glance : glances)
-      fit += fit_beams(world, compose(candidate.local_in_world, glance.robot_in_local),
-                       glance.beams, coarse)
-                 .log_likelihood;
-    rated.emplace_back(fit, candidate.local_in_world);
-  }
+  for (const Candidate& candidate : candidates)
+    rated.emplace_back(glance(world, candidate.local_in_world, glances, coarse),
+                       candidate.local_in_world);
   std::ranges::stable_sort(rated, std::ranges::greater{}, &std::pair<double, Position>::first);
   std::vector<Position> best;
   for (const auto& [fit, pose] : rated)
     if (best.size() < static_cast<std::size_t>(parameters.glances)) best.push_back(pose);
   return best;
+}
+
+/// Uphill, where walls leave the pose loose: moved along and turned about where the robot is.
+Position climb(const World& world, const Position& local_in_world,
+               const std::vector<Keyframe>& glances, const SearchParameters& parameters) {
+  const Position robot_in_local = glances.back().robot_in_local;
+  Position robot_in_world = compose(local_in_world, robot_in_local);
+  const auto local = [&](const Position& robot) { return compose(robot, inverse(robot_in_local)); };
+  double best = glance(world, local_in_world, glances, parameters.beams);
+  for (double step = parameters.climb; step >= parameters.climb_end; step /= 2.0) {
+    for (const Position& move :
+         {Position{step, 0.0, 0.0}, Position{-step, 0.0, 0.0}, Position{0.0, step, 0.0},
+          Position{0.0, -step, 0.0}, Position{0.0, 0.0, step}, Position{0.0, 0.0, -step}}) {
+      const Position next = compose(robot_in_world, move);
+      const double rated = glance(world, local(next), glances, parameters.beams);
+      if (rated <= best) continue;
+      best = rated;
+      robot_in_world = next;
+    }
+  }
+  return local(robot_in_world);
 }
 
 }  // namespace
@@ -79,10 +111,13 @@ std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>&
                                const std::vector<Position>& known,
                                const SearchParameters& parameters) {
   std::vector<Position> poses = known;
-  for (const Position& candidate : most_likely(
-           world, find_candidates(world, walls, parameters.candidates), keyframes, parameters)) {
+  const std::vector<Keyframe> glances = glances_of(keyframes, parameters);
+  for (const Position& candidate :
+       most_likely(world, find_candidates(world, walls, parameters.candidates), glances,
+                   parameters)) {
     const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
-    poses.push_back(alignment ? alignment->frame_in_world.pose : candidate);
+    if (alignment) poses.push_back(alignment->frame_in_world.pose);
+    poses.push_back(climb(world, candidate, glances, parameters));
   }
   std::vector<Hypothesis> all;
   all.reserve(poses.size());

@@ -13,6 +13,7 @@ namespace perceptor::localize {
 struct Keyframe {
   Position robot_in_local;
   std::vector<Beam> beams;
+  double way = 0.0;  ///< [m] and [rad] from the first one
 };
 
 struct SearchParameters {
@@ -22,6 +23,8 @@ struct SearchParameters {
   int glance_every = 3;        ///< of the beams: to choose among candidates
   double glance_sigma = 0.12;  ///< [m] of a range, with a candidate's own error
   int glances = 150;           ///< candidates that are looked at closer
+  double climb = 0.1;          ///< [m] and [rad] first step uphill from these, then its halves
+  double climb_end = 0.01;     ///< [m] and [rad] the least step
   double view = 0.5;           ///< [m] after moving so far a scan is evidence of its own
   double view_angle = 2.0;     ///< [rad] or after turning so far
   double max_through = 0.04;   ///< share of the beams through walls; a place with more is out

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kSameLine = 0.02;   // [m] faces are drawn to the millimetre or the centimetre
 constexpr double kSameAngle = 0.02;  // [rad]
+constexpr double kSameOpening = 0.3;  // [rad] the faces of a wall need not be parallel
 
 /// The sides of a closed object, in the order of its points.
 std::vector<Segment> sides(const Map& map, const Object& object) {
@@ -32,47 +33,106 @@ World::World(const Map& global_map, const WorldParameters& parameters) {
   for (const Object& object : global_map.objects) {
     if (object.type == ObjectType::wall && object.points.size() == 2) {
       const Segment wall = segment(global_map, object);
-      if (object.free_side != FreeSide::right) add_face(wall);
-      if (object.free_side != FreeSide::left) add_face({wall.b, wall.a});
+      if (object.free_side != FreeSide::right) add_face(wall, true);
+      if (object.free_side != FreeSide::left) add_face({wall.b, wall.a}, true);
     } else if (object.type == ObjectType::cabinet && object.points.size() > 2) {
-      for (const Segment& side : sides(global_map, object)) add_face(side);
+      for (const Segment& side : sides(global_map, object)) add_face(side, false);
     } else if (object.type == ObjectType::door && object.points.size() == 2) {
       doors_.add(segment(global_map, object));
     }
   }
+  for (const Object& object : global_map.objects)
+    if (object.type == ObjectType::door && object.points.size() == 2)
+      add_opening(segment(global_map, object), parameters);
   for (Front& front : fronts_) find_gaps(front, parameters);
 }
 
 /// Many maps draw no doors, only the gaps for them.
 void World::find_gaps(Front& front, const WorldParameters& parameters) {
   std::ranges::sort(front.pieces, {}, &Interval::from);
-  double reached = front.pieces.front().to;
-  for (const Interval& piece : front.pieces) {
+  std::ranges::sort(front.walls, {}, &Interval::from);
+  if (front.walls.empty()) return;
+  double reached = front.walls.front().to;
+  for (const Interval& piece : front.walls) {
     const Interval gap{reached, piece.from};
-    if (gap.length() >= parameters.min_door && gap.length() <= parameters.max_door) {
+    if (is_doorway(front, gap, parameters)) {
       front.gaps.push_back(gap);
-      doors_.add({point_at(front.line, gap.from), point_at(front.line, gap.to)});
+      const Segment opening{point_at(front.line, gap.from), point_at(front.line, gap.to)};
+      doors_.add(opening);
+      add_opening(opening, parameters);
     }
     reached = std::max(reached, piece.to);
   }
 }
 
-void World::add_face(const Segment& segment) {
+bool World::is_doorway(const Front& front, const Interval& gap,
+                       const WorldParameters& parameters) const {
+  if (gap.length() < parameters.min_door || gap.length() > parameters.max_door) return false;
+  const Vector2& along = front.line.along;
+  const Vector2 place = point_at(front.line, gap.middle());
+  return solid_.nearest(place, -front.line.normal) > parameters.behind &&
+         !runs_into(point_at(front.line, gap.from), along, parameters) &&
+         !runs_into(point_at(front.line, gap.to), -along, parameters);
+}
+
+/// Whether a wall goes on from the end of a gap, across it. `gap`: from there, unit vector.
+bool World::runs_into(const Vector2& end, const Vector2& gap,
+                      const WorldParameters& parameters) const {
+  return std::ranges::any_of(faces_, [&](const Face& face) {
+    const bool begins = distance(face.segment.a, end) < kSameLine;
+    const bool ends = distance(face.segment.b, end) < kSameLine;
+    const double towards = face.line.along.dot(gap);
+    return (begins && towards > parameters.jamb) || (ends && -towards > parameters.jamb);
+  });
+}
+
+/// What is open in both faces of a wall is one doorway.
+void World::add_opening(const Segment& opening, const WorldParameters& parameters) {
+  for (Doorway& known : doorways_) {
+    const Vector2 along = direction(known.opening);
+    const Vector2 step = middle(opening) - middle(known.opening);
+    const double across = cross(along, step);
+    const double smallest = std::min(length(opening), length(known.opening));
+    const bool is_in_same_wall = std::abs(along.dot(direction(opening))) > std::cos(kSameOpening) &&
+                                 std::abs(across) < parameters.max_wall &&
+                                 std::abs(along.dot(step)) < smallest / 2.0;
+    if (!is_in_same_wall) continue;
+    if (std::abs(across) > 2.0 * known.half_depth + kSameLine) {
+      const Vector2 inward = across / 2.0 * perpendicular(along);
+      known.opening = {known.opening.a + inward, known.opening.b + inward};
+      known.half_depth = std::abs(across) / 2.0;
+    }
+    return;
+  }
+  doorways_.push_back({opening, 0.0});
+}
+
+void World::add_face(const Segment& segment, bool is_wall) {
   const Line line = line_of(segment);
   faces_.push_back({segment, line});
   solid_.add(segment);
-  const auto front =
+  auto front =
       std::ranges::find_if(fronts_, [&](const Front& known) { return is_in_line(known, line); });
-  if (front == fronts_.end())
-    fronts_.push_back({line, {extent_of(line)}, {}});
-  else
-    front->pieces.push_back(extent_on(front->line, line));
+  if (front == fronts_.end()) front = fronts_.insert(front, Front{line, {}, {}, {}});
+  const Interval extent = extent_on(front->line, line);
+  front->pieces.push_back(extent);
+  if (is_wall) front->walls.push_back(extent);
 }
 
 Met World::meet(const Vector2& origin, const Vector2& direction) const {
   Met met{solid_.nearest(origin, direction), doors_.nearest(origin, direction)};
   if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();
   return met;
+}
+
+std::optional<MetFace> World::meet_face(const Vector2& origin, const Vector2& direction) const {
+  MetFace first{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const double distance = solid_.distance_to(i, origin, direction);
+    if (distance < first.distance) first = {i, distance};
+  }
+  if (std::isinf(first.distance)) return std::nullopt;
+  return first;
 }
 
 void World::Rays::add(const Segment& segment) {
@@ -82,17 +142,21 @@ void World::Rays::add(const Segment& segment) {
   dy.push_back(segment.b.y() - segment.a.y());
 }
 
+double World::Rays::distance_to(std::size_t i, const Vector2& origin,
+                                const Vector2& direction) const {
+  const double to_x = ax[i] - origin.x();
+  const double to_y = ay[i] - origin.y();
+  const double across = direction.x() * dy[i] - direction.y() * dx[i];
+  const double distance = (to_x * dy[i] - to_y * dx[i]) / across;
+  const double place = (to_x * direction.y() - to_y * direction.x()) / across;
+  const bool is_met = distance > 0.0 && place >= 0.0 && place <= 1.0;  // parallel: NaN, not met
+  return is_met ? distance : std::numeric_limits<double>::infinity();
+}
+
 double World::Rays::nearest(const Vector2& origin, const Vector2& direction) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ax.size(); ++i) {
-    const double to_x = ax[i] - origin.x();
-    const double to_y = ay[i] - origin.y();
-    const double across = direction.x() * dy[i] - direction.y() * dx[i];
-    const double distance = (to_x * dy[i] - to_y * dx[i]) / across;
-    const double place = (to_x * direction.y() - to_y * direction.x()) / across;
-    const bool is_met = distance > 0.0 && place >= 0.0 && place <= 1.0;  // parallel: NaN, not met
-    nearest = is_met ? std::min(nearest, distance) : nearest;
-  }
+  for (std::size_t i = 0; i < ax.size(); ++i)
+    nearest = std::min(nearest, distance_to(i, origin, direction));
   return nearest;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "common/geometry/line.hpp"
@@ -20,18 +21,34 @@ struct Face {
 struct Front {
   Line line;                     ///< its middle is any place on it
   std::vector<Interval> pieces;  ///< [m] along the line, from its middle, in order: faces
+  std::vector<Interval> walls;   ///< those of them that are walls: no door hangs on a cabinet
   std::vector<Interval> gaps;    ///< between them, as wide as a door is: it may be shut
+};
+
+/// Where a door may be, open or shut: drawn, or a gap in a line of walls.
+struct Doorway {
+  Segment opening;          ///< [m] world frame, in the middle of the wall
+  double half_depth = 0.0;  ///< [m] to either face of the wall
 };
 
 struct WorldParameters {
   double min_door = 0.4;  ///< [m] narrower gaps in a line of walls are no doors
   double max_door = 1.6;  ///< [m] nor are wider ones
+  double max_wall = 0.5;  ///< [m] openings in two faces farther apart are not in one wall
+  double behind = 0.8;    ///< [m] of nothing behind a gap, or it is a niche
+  double jamb = 0.5;      ///< cosine between a gap and a wall from its end; more: a corner cut off
 };
 
 /// What a ray meets first: distances [m] from its origin, infinite where there is nothing.
 struct Met {
   double face;
   double door;  ///< an opening that may be shut, before the face
+};
+
+/// Which face a ray meets first.
+struct MetFace {
+  std::size_t face = 0;   ///< index into faces()
+  double distance = 0.0;  ///< [m]
 };
 
 class World {
@@ -41,23 +58,32 @@ class World {
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Front>& fronts() const { return fronts_; }
+  const std::vector<Doorway>& doorways() const { return doorways_; }
 
   /// `direction` is a unit vector.
   Met meet(const Vector2& origin, const Vector2& direction) const;
+
+  /// The same, slower, and nothing of doors; none where there is no face.
+  std::optional<MetFace> meet_face(const Vector2& origin, const Vector2& direction) const;
 
  private:
   /// Lines for ray casting, each component in its own array: ten times as fast as one by one.
   struct Rays {
     std::vector<double> ax, ay, dx, dy;
     void add(const Segment& segment);
+    double distance_to(std::size_t i, const Vector2& origin, const Vector2& direction) const;
     double nearest(const Vector2& origin, const Vector2& direction) const;
   };
 
-  void add_face(const Segment& segment);
+  void add_face(const Segment& segment, bool is_wall);
   void find_gaps(Front& front, const WorldParameters& parameters);
+  bool is_doorway(const Front& front, const Interval& gap, const WorldParameters& parameters) const;
+  bool runs_into(const Vector2& end, const Vector2& gap, const WorldParameters& parameters) const;
+  void add_opening(const Segment& opening, const WorldParameters& parameters);
 
   std::vector<Face> faces_;
   std::vector<Front> fronts_;
+  std::vector<Doorway> doorways_;
   Rays solid_;
   Rays doors_;
 };

@@ -2,11 +2,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
 #include <nlohmann/json.hpp>
+
+#include "common/floorplan/floorplan_writer.hpp"
 
 namespace perceptor {
 namespace {
@@ -28,43 +29,12 @@ Json pose(const Position& pose) {
   return json;
 }
 
-/// Collects points, each once: walls that meet share theirs.
-class MapFile {
- public:
-  Json edge(const Segment& segment) { return {point(segment.a), point(segment.b)}; }
-  Json points() const { return points_; }
-
- private:
-  std::size_t point(const Vector2& location) {
-    const auto [entry, is_new] = indices_.try_emplace(
-        std::pair{rounded(location.x()), rounded(location.y())}, points_.size());
-    if (is_new) points_.push_back(place(location));
-    return entry->second;
-  }
-
-  Json points_ = Json::array();
-  std::map<std::pair<double, double>, std::size_t> indices_;
-};
-
-Json map_of(const RandomWorld& world, std::size_t number) {
-  MapFile file;
-  Json edges = Json::array();
-  for (const Segment& wall : walls(world.rooms)) edges.push_back(file.edge(wall));
-  Json cabinets = Json::array();
-  for (const Furniture& cabinet : world.cabinets) {
-    Json outline = Json::array();
-    for (const Segment& side : sides(cabinet)) outline.push_back(file.edge(side));
-    cabinets.push_back(outline);
-  }
-  Json doors = Json::array();
-  for (const Doorway& doorway : world.rooms.doorways)
-    doors.push_back(Json::array({file.edge(doorway.face)}));
-  Json map = {{"_comment", "Random world " + std::to_string(number)},
-              {"points", file.points()},
-              {"walls", edges},
-              {"cabinets", cabinets},
-              {"doors", doors}};
-  return map;
+Floorplan map_of(const RandomWorld& world) {
+  FloorplanBuilder map;
+  for (const Segment& wall : walls(world.rooms)) map.add_wall(wall);
+  for (const Furniture& cabinet : world.cabinets) map.add_cabinet(sides(cabinet));
+  for (const Doorway& doorway : world.rooms.doorways) map.add_door(doorway.face);
+  return map.plan();
 }
 
 Json boxes_of(const RandomWorld& world) {
@@ -144,7 +114,8 @@ void write(const Json& document, const std::filesystem::path& file) {
 void write_random_world(const RandomWorld& world, const RandomWorldParameters& parameters,
                         std::size_t number, const std::filesystem::path& folder,
                         const std::string& name) {
-  write(map_of(world, number), folder / "maps" / (name + ".json"));
+  write_floorplan(map_of(world), "Random world " + std::to_string(number),
+                  folder / "maps" / (name + ".json"));
   write(world_of(world, parameters, number, name), folder / "worlds" / (name + ".json"));
 }
 

@@ -22,6 +22,7 @@ namespace {
 constexpr int kBeams = 72;             // of a true view
 constexpr double kViewDistance = 0.3;  // [m] between true views
 constexpr double kViewAngle = 0.4;     // [rad] the same
+constexpr double kRightPlace = 0.3;    // [m] from the truth
 
 std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * 1e6));
@@ -39,8 +40,10 @@ class Driver {
   }
 
   /// Goes on where the last one ended: odometry does not notice.
-  void run(sim::SimulatorParameters parameters, double duration, std::vector<Fix>& fixes,
-           std::vector<TrueView>& views) {
+  CombinedScore run(sim::SimulatorParameters parameters, Doors doors, double duration,
+                    std::vector<Fix>& fixes, std::vector<TrueView>& views) {
+    CombinedScorer scorer(parameters.world, doors, {});
+    scorer_ = &scorer;
     if (odometry_) {
       parameters.odometry.start_in_odometry = *odometry_;
       parameters.start_utime = utime_;
@@ -54,6 +57,8 @@ class Driver {
       for (const sim::Measurement& measurement : simulator.advance())
         std::visit([&](const auto& measured) { publish(measured, parameters.laser); }, measurement);
     utime_ = simulator.utime();
+    scorer_ = nullptr;
+    return scorer.score();
   }
 
   void finish() {
@@ -78,7 +83,7 @@ class Driver {
     utime_ = sweep.completed;
     if (log_) write(channel::truth, encoded(truth));
     view(scan, sweep.truth);
-    truths_[sweep.utime] = sweep.truth.robot_in_world;
+    truths_[sweep.utime] = sweep.truth;
     feed(channel::laser, scan);
   }
 
@@ -111,14 +116,18 @@ class Driver {
 
   void take(const std::string& channel, Pipeline::Bytes payload) {
     if (log_) write(channel, payload);
-    if (channel != channel::world_position) return;
+    if (channel == channel::world_position) take_position(payload);
+    if (channel == channel::combined_map) take_combined(payload);
+  }
+
+  void take_position(Pipeline::Bytes payload) {
     pico::world_position_t position;
     position.decode(payload.data(), 0, static_cast<int>(payload.size()));
     truths_.erase(truths_.begin(), truths_.lower_bound(position.utime));
     if (truths_.empty() || position.utime < began_) return;
     Fix fix;
     fix.time = seconds_between(began_, position.utime);
-    fix.truth = truths_.begin()->second;
+    fix.truth = truths_.begin()->second.robot_in_world;
     fix.robot_in_world.pose = to_model(position.robot_in_world);
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column)
@@ -128,6 +137,28 @@ class Driver {
     fixes_->push_back(fix);
   }
 
+  /// Comes after the position of the same scan; of a claim that is wrong nothing is asked.
+  void take_combined(Pipeline::Bytes payload) {
+    pico::map_t message;
+    message.decode(payload.data(), 0, static_cast<int>(payload.size()));
+    if (message.part == 0) combined_ = {};
+    append(combined_, to_model(message));
+    if (message.part + 1 < message.parts || truths_.empty() || fixes_->empty()) return;
+    const Fix& fix = fixes_->back();
+    const double off = distance(fix.truth.location(), fix.robot_in_world.pose.location());
+    if (fix.is_tracking && off < kRightPlace)
+      scorer_->take(combined_, truths_.begin()->second, fix.time);
+  }
+
+  static void append(Map& map, const Map& part) {
+    const auto points = static_cast<Index>(map.points.size());
+    map.points.insert(map.points.end(), part.points.begin(), part.points.end());
+    for (Object object : part.objects) {
+      for (Index& point : object.points) point += points;
+      map.objects.push_back(std::move(object));
+    }
+  }
+
   LaserMounting mounting_;
   std::unique_ptr<LogWriter> log_;
   std::int64_t utime_ = 0;
@@ -135,9 +166,11 @@ class Driver {
   std::int64_t odometries_ = 0;
   std::int64_t scans_ = 0;
   std::optional<Position> odometry_;
-  std::map<std::int64_t, Position> truths_;  ///< of scans that wait for their WORLD_POSITION
+  std::map<std::int64_t, sim::Truth> truths_;  ///< of scans that wait for their WORLD_POSITION
   std::vector<Fix>* fixes_ = nullptr;
   std::vector<TrueView>* views_ = nullptr;
+  CombinedScorer* scorer_ = nullptr;
+  Map combined_;  ///< of the parts so far
   Pipeline pipeline_;
 };
 
@@ -149,9 +182,12 @@ Drive drive(const Trial& trial, const Site& site, const ProtocolParameters& para
   config.localize->map = site.file.string();
   Drive result;
   Driver driver(config, mounting, log);
-  driver.run(trial.simulator, parameters.duration, result.fixes, result.views);
+  const Doors doors = trial.conditions.doors;
+  result.combined =
+      driver.run(trial.simulator, doors, parameters.duration, result.fixes, result.views);
   if (trial.kidnapped_to)
-    driver.run(*trial.kidnapped_to, parameters.after_kidnapping, result.after, result.views_after);
+    driver.run(*trial.kidnapped_to, doors, parameters.after_kidnapping, result.after,
+               result.views_after);
   driver.finish();
   return result;
 }

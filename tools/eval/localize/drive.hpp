@@ -8,6 +8,7 @@
 #include "common/geometry/pose_estimate.hpp"
 #include "common/config/robot.hpp"
 #include "components/localize/beam_fit.hpp"
+#include "tools/eval/localize/combined_score.hpp"
 #include "tools/eval/localize/trial.hpp"
 #include "tools/replay/pipeline.hpp"
 
@@ -33,6 +34,7 @@ struct Drive {
   std::vector<Fix> after;       ///< kidnapped: the time is since then
   std::vector<TrueView> views;  ///< of the trial proper, from poses apart
   std::vector<TrueView> views_after;
+  CombinedScore combined;       ///< of the trial proper, while it was tracking rightly
 };
 
 /// `mounting`: what the robot's configuration says of the laser. `log`: gets every message of the drive; empty: none.

@@ -72,6 +72,7 @@ TrackingError& TrackingError::operator+=(const TrackingError& other) {
 
 Outcome judge(const Drive& drive, const OutcomeParameters& parameters) {
   Outcome outcome;
+  outcome.combined = drive.combined;
   outcome.found = found(drive.fixes, parameters);
   outcome.longest_false = longest_false(drive.fixes, parameters);
   outcome.said_ambiguous =

@@ -32,6 +32,7 @@ struct Outcome {
   bool is_ambiguous = false;    ///< elsewhere the drive would have looked the same
   bool said_ambiguous = false;
   TrackingError error;
+  CombinedScore combined;
   bool was_tracking = false;  ///< when it was kidnapped: there is something to notice
   bool is_ambiguous_after = false;    ///< the same of where it was carried to
   std::optional<double> noticed;      ///< [s] after it was kidnapped

@@ -87,6 +87,12 @@ Rms rms(const Error& error, const std::vector<JudgedTrial>& trials) {
           mean(sum.nees), sum.fixes};
 }
 
+CombinedScore combined(const std::vector<JudgedTrial>& trials) {
+  CombinedScore sum;
+  for (const JudgedTrial& trial : trials) sum += trial.outcome.combined;
+  return sum;
+}
+
 std::string formatted(const char* format, auto... values) {
   char text[256];
   std::snprintf(text, sizeof text, format, values...);
@@ -185,10 +191,23 @@ std::string report(const std::vector<JudgedTrial>& trials) {
     text += formatted("tracking, %-36s  rms %.1f mm, %.3f deg, NEES %.2f (3)\n", error.name,
                       1000.0 * e.distance, e.degrees, e.nees);
   }
+  const CombinedScore found = combined(trials);
+  text += formatted("doors in view within 3 m for 1 s: state right    %6d %7.2f  >= 97\n",
+                    found.doors.cases, 100.0 * found.doors.share());
+  text += formatted("things in view within 3 m for 3 s: there         %6d %7.2f  >= 95\n",
+                    found.objects.cases, 100.0 * found.objects.share());
+  text += formatted("static things that are not: %d in %.2f h tracked (asked: 1 an hour)\n",
+                    found.false_objects, found.time / 3600.0);
   std::string failures;
   for (const JudgedTrial& trial : trials) {
     const Outcome& o = trial.outcome;
     std::string what;
+    if (o.combined.false_objects > 0)
+      what += formatted(", %d things that are not", o.combined.false_objects);
+    if (o.combined.doors.share() < 0.9)
+      what += formatted(", doors %d of %d", o.combined.doors.hits, o.combined.doors.cases);
+    if (o.combined.objects.share() < 0.8)
+      what += formatted(", things %d of %d", o.combined.objects.hits, o.combined.objects.cases);
     if (is_false(trial)) what += formatted(", elsewhere for %.1f s", o.longest_false);
     if (!o.is_ambiguous && !is_within(o.found, 30.0)) what += ", not found";
     if (is_kidnapped(trial) && !is_within(o.noticed, 2.0)) what += ", kidnapping not noticed";
@@ -224,6 +243,13 @@ std::string report_json(const std::vector<JudgedTrial>& trials, std::uint64_t se
                                 {"rms_deg", e.degrees},
                                 {"nees", e.nees}});
   }
+  const CombinedScore found = combined(trials);
+  json["combined"] = {{"doors", found.doors.cases},
+                      {"doors_right", found.doors.hits},
+                      {"objects", found.objects.cases},
+                      {"objects_found", found.objects.hits},
+                      {"false_objects", found.false_objects},
+                      {"hours", found.time / 3600.0}};
   for (const JudgedTrial& trial : trials) json["trials"].push_back(json_of(trial));
   return json.dump(1) + "\n";
 }

@@ -16,9 +16,6 @@ struct Site {
   std::filesystem::path file;  ///< what localize reads
   Floorplan plan;
   localize::World world;
-  /// Openings that a door may shut [m] world frame, free space on their left: one for each face of
-  /// the wall that they are in.
-  std::vector<Segment> openings;
 };
 
 /// Throws config::Error.
@@ -27,8 +24,10 @@ Site read_site(const std::filesystem::path& file);
 /// Walls and the sides of cabinets [m] world frame.
 std::vector<Segment> lines(const Floorplan& plan);
 
-/// A leaf for each opening. `recess` [m]: set back from the face, but not beyond the wall's other
-/// face, where a wall as thick as a wall has one: there it stands in the middle.
-std::vector<Segment> leaves(const std::vector<Segment>& openings, double recess);
+/// What shuts a doorway flush with the wall on either side.
+std::vector<Segment> flush_leaves(const localize::Doorway& doorway);
+
+/// A leaf in the middle of the wall; `recess` [m] to one side of a wall without depth.
+Segment recessed_leaf(const localize::Doorway& doorway, double recess);
 
 }  // namespace perceptor

@@ -124,16 +124,18 @@ class Drawer {
       return Segment{line.a + displacement.at(line.a), line.b + displacement.at(line.b)};
     };
     for (const Segment& line : lines(site_.plan)) world.walls.push_back(displaced(line));
-    for (const Segment& opening : site_.openings) openings_.push_back(displaced(opening));
-    lines_ = world.walls;
     closed_ = world.walls;
-    closed_.insert(closed_.end(), openings_.begin(), openings_.end());
-    if (conditions_.doors == Doors::open) return;
-    const double recess = conditions_.doors == Doors::recessed ? parameters_.recess : 0.0;
-    for (const Segment& leaf : leaves(openings_, recess)) {
-      world.walls.push_back(leaf);
-      lines_.push_back(leaf);
+    for (const localize::Doorway& drawn : site_.world.doorways()) {
+      const localize::Doorway doorway{displaced(drawn.opening), drawn.half_depth};
+      doorways_.push_back(doorway);
+      const std::vector<Segment> flush = flush_leaves(doorway);
+      closed_.insert(closed_.end(), flush.begin(), flush.end());
+      if (conditions_.doors == Doors::flush)
+        world.walls.insert(world.walls.end(), flush.begin(), flush.end());
+      if (conditions_.doors == Doors::recessed)
+        world.walls.push_back(recessed_leaf(doorway, parameters_.recess));
     }
+    lines_ = world.walls;
   }
 
   /// A place indoors with room around it.
@@ -214,8 +216,8 @@ class Drawer {
   }
 
   bool drive_through_door(Vector2& here, std::vector<sim::Waypoint>& points) {
-    if (openings_.empty()) return false;
-    const Segment& opening = any_of(openings_, random_);
+    if (doorways_.empty()) return false;
+    const Segment opening = any_of(doorways_, random_).opening;
     const Vector2 ahead = perpendicular(direction(opening));
     const Vector2 before = middle(opening) + 0.5 * ahead;
     const Vector2 behind = middle(opening) - 0.7 * ahead;
@@ -255,7 +257,7 @@ class Drawer {
   RoomRandom& random_;
   std::vector<Segment> lines_;     ///< that stand there: walls, leaves, boxes
   std::vector<Segment> closed_;    ///< walls, and openings as if they were shut
-  std::vector<Segment> openings_;  ///< where they really are
+  std::vector<localize::Doorway> doorways_;  ///< where they really are
 };
 
 }  // namespace

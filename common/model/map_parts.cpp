@@ -1,6 +1,6 @@
-#include "components/globalmap/parts.hpp"
+#include "common/model/map_parts.hpp"
 
-namespace perceptor::globalmap {
+namespace perceptor {
 namespace {
 
 /// The objects from `begin` to before `end`, and their points.
@@ -31,4 +31,4 @@ std::vector<Map> parts_of(const Map& map, std::size_t objects, std::size_t point
   return parts;
 }
 
-}  // namespace perceptor::globalmap
+}  // namespace perceptor

@@ -1,0 +1,78 @@
+#include "tools/vectorize/vectorize.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "common/floorplan/floorplan_writer.hpp"
+#include "tools/vectorize/straighten.hpp"
+#include "tools/vectorize/trace.hpp"
+
+namespace perceptor {
+namespace {
+
+double length_of(const std::vector<Segment>& pieces) {
+  double sum = 0.0;
+  for (const Segment& piece : pieces) sum += length(piece);
+  return sum;
+}
+
+/// The free cell with the largest free square up and right of it, by dynamic programming.
+struct Square {
+  int x = 0;
+  int y = 0;
+  int side = 0;  ///< cells
+};
+
+Square largest_free_square(const OccupancyGrid& grid) {
+  std::vector<int> above(static_cast<std::size_t>(grid.width) + 1, 0);
+  Square largest;
+  for (int y = grid.height - 1; y >= 0; --y) {
+    int diagonal = 0;
+    for (int x = grid.width - 1; x >= 0; --x) {
+      const auto at = static_cast<std::size_t>(x);
+      const int up = above[at];
+      above[at] = grid.at(x, y) == CellState::free
+                      ? 1 + std::min({up, above[at + 1], diagonal})
+                      : 0;
+      diagonal = up;
+      if (above[at] > largest.side) largest = {x, y, above[at]};
+    }
+  }
+  return largest;
+}
+
+void add_start_area(const OccupancyGrid& grid, FloorplanBuilder& builder) {
+  const Square square = largest_free_square(grid);
+  if (square.side < 3) return;
+  const int margin = square.side / 3;
+  const auto corner = [&](int x, int y) {
+    return transform(grid.grid_in_world,
+                     grid.resolution * Vector2(static_cast<double>(x), static_cast<double>(y)));
+  };
+  const int x0 = square.x + margin;
+  const int y0 = square.y + margin;
+  const int x1 = square.x + square.side - margin;
+  const int y1 = square.y + square.side - margin;
+  const std::vector<Vector2> corners = {corner(x0, y0), corner(x1, y0), corner(x1, y1),
+                                        corner(x0, y1)};
+  std::vector<Segment> sides;
+  for (std::size_t i = 0; i < 4; ++i) sides.push_back({corners[i], corners[(i + 1) % 4]});
+  builder.add_start_area(sides);
+}
+
+}  // namespace
+
+Floorplan vectorize(const OccupancyGrid& grid, const VectorizeParameters& parameters) {
+  FloorplanBuilder builder;
+  for (const Outline& outline : trace_outlines(grid, parameters.reach)) {
+    const auto pieces = straighten(outline, parameters.tolerance * grid.resolution);
+    if (length_of(pieces) < parameters.min_length) continue;
+    for (const Segment& piece : pieces)
+      if (length(piece) > grid.resolution / 2.0) builder.add_wall(piece);
+  }
+  add_start_area(grid, builder);
+  return builder.plan();
+}
+
+}  // namespace perceptor
