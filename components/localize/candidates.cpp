@@ -22,10 +22,7 @@ double on_front(const Front& front, const Line& line) {
   return std::min(covered, line.length);
 }
 
-bool is_beside(const Front& front, const Line& line, const CandidateParameters& parameters) {
-  return front.line.along.dot(line.along) > std::cos(parameters.max_angle) &&
-         std::abs(front.line.normal.dot(line.middle - front.line.middle)) < parameters.max_offset;
-}
+double angle_of(const Line& line) { return std::atan2(line.along.y(), line.along.x()); }
 
 Line moved(const Position& frame_in_new, const Line& line) {
   Line moved = line;
@@ -41,8 +38,10 @@ double explained_length(const World& world, const std::vector<LocalWall>& walls,
   for (const LocalWall& wall : walls) {
     const Line line = moved(local_in_world, wall.line);
     double most = 0.0;
-    for (const Front& front : world.fronts())
-      if (is_beside(front, line, parameters)) most = std::max(most, on_front(front, line));
+    world.for_fronts_along(angle_of(line), parameters.max_angle, [&](const Front& front) {
+      const double offset = front.line.normal.dot(line.middle - front.line.middle);
+      if (std::abs(offset) < parameters.max_offset) most = std::max(most, on_front(front, line));
+    });
     explained += most;
   }
   return explained;
@@ -116,7 +115,9 @@ class Finder {
 
   void slide_along_fronts() {
     for (const LocalWall& wall : longest_walls(parameters_.slid))
-      for (const Front& front : world_.fronts()) slide_along(wall.line, front);
+      for (const Front& front : world_.fronts())
+        if (front.length >= parameters_.min_share * wall.line.length)
+          slide_along(wall.line, front);
   }
 
   std::vector<Candidate> best_first() const { return cells_.best_first(); }
@@ -146,13 +147,15 @@ class Finder {
     const double between = turn_between(p, q);
     if (std::abs(std::sin(between)) < std::sin(parameters_.min_angle)) return;
     for (const Front& on_p : world_.fronts()) {
-      for (const Front& on_q : world_.fronts()) {
-        const double error = angle_difference(between, turn_between(on_p.line, on_q.line));
-        if (std::abs(error) > parameters_.max_angle) continue;
-        const double turn = turn_between(p, on_p.line) + error / 2.0;
-        const auto pose = laid_on(p, q, on_p, on_q, turn);
-        if (pose && lies_on(p, on_p, *pose) && lies_on(q, on_q, *pose)) add(*pose);
-      }
+      if (on_p.length < parameters_.min_share * p.length) continue;
+      world_.for_fronts_along(
+          angle_of(on_p.line) + between, parameters_.max_angle, [&](const Front& on_q) {
+            if (on_q.length < parameters_.min_share * q.length) return;
+            const double error = angle_difference(between, turn_between(on_p.line, on_q.line));
+            const double turn = turn_between(p, on_p.line) + error / 2.0;
+            const auto pose = laid_on(p, q, on_p, on_q, turn);
+            if (pose && lies_on(p, on_p, *pose) && lies_on(q, on_q, *pose)) add(*pose);
+          });
     }
   }
 

@@ -105,6 +105,7 @@ void describe(config::Fields& fields, UnknownObjectParameters& p) {
   fields.number("most", p.most, kBeams, "a cell's count is no larger");
   fields.number("least", p.least, kBeams, "of a cell of a static object");
   fields.number("min_age", p.min_age, kSeconds, "[s] that such a cell was hit");
+  fields.number("pause", p.pause, kSeconds, "[s] without a beam, and that time begins anew");
   fields.number("object", p.object, kBeams, "least count of a static object, over its cells");
   fields.number("moving", p.moving, kBeams, "the same of a dynamic one");
   fields.number("fresh", p.fresh, kSeconds, "[s] since a dynamic one was hit");

@@ -75,10 +75,15 @@ void UnknownObjects::pass(const std::vector<WorldBeam>& beams) {
 void UnknownObjects::hit(const Vector2& place, std::int64_t utime) {
   Cell& cell = cells_[key_of(place)];
   if (cell.hits == 0) cell.first_hit = utime;
+  if (cell.hits == 0 || seconds_between(cell.last_hit, utime) > parameters_.pause)
+    cell.hit_since = utime;
   cell.last_hit = utime;
   cell.count = std::min(parameters_.most, cell.count + parameters_.hit);
   ++cell.hits;
   cell.mean += (place - cell.mean) / cell.hits;
+  if (cell.count >= parameters_.least &&
+      seconds_between(cell.hit_since, utime) >= parameters_.min_age)
+    cell.is_static = true;
 }
 
 void UnknownObjects::forget_weakest() {
@@ -89,16 +94,11 @@ void UnknownObjects::forget_weakest() {
   std::erase_if(cells_, [&](const auto& entry) { return entry.second.count <= *half; });
 }
 
-bool UnknownObjects::is_static(const Cell& cell) const {
-  return cell.count >= parameters_.least &&
-         seconds_between(cell.first_hit, cell.last_hit) >= parameters_.min_age;
-}
-
 std::vector<UnknownObject> UnknownObjects::objects(std::int64_t utime) {
   std::vector<Cell*> static_cells;
   std::vector<Cell*> moving_cells;
   for (auto& [key, cell] : cells_) {
-    if (is_static(cell))
+    if (cell.is_static)
       static_cells.push_back(&cell);
     else if (seconds_between(cell.last_hit, utime) <= parameters_.fresh)
       moving_cells.push_back(&cell);

@@ -22,7 +22,8 @@ struct UnknownObjectParameters {
   double pass = 0.7;       ///< what one that passes through counts against it
   double most = 30.0;      ///< a cell's count is no larger: it can be forgotten
   double least = 6.0;      ///< of a static cell
-  double min_age = 1.5;    ///< [s] from the first beam to the last, of a static cell
+  double min_age = 2.0;    ///< [s] that a cell was hit, then it is static until it is passed
+  double pause = 0.7;      ///< [s] without a beam, and that time begins anew
   double object = 20.0;    ///< least count of a static object, over its cells
   double moving = 3.0;     ///< least count of a dynamic one
   double fresh = 0.3;      ///< [s] since a dynamic cell was hit
@@ -68,7 +69,9 @@ class UnknownObjects {
     Vector2 mean = Vector2::Zero();  ///< [m] of the ends in it
     int hits = 0;
     std::int64_t first_hit = 0;  ///< [us]
+    std::int64_t hit_since = 0;  ///< [us] without a pause
     std::int64_t last_hit = 0;   ///< [us]
+    bool is_static = false;
     std::int32_t id = 0;         ///< of the object it was part of; 0: none
   };
 
@@ -76,7 +79,6 @@ class UnknownObjects {
   void pass(const std::vector<WorldBeam>& beams);
   void hit(const Vector2& place, std::int64_t utime);
   void forget_weakest();
-  bool is_static(const Cell& cell) const;
 
   UnknownObjectParameters parameters_;
   std::map<Key, Cell> cells_;

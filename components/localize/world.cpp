@@ -44,7 +44,16 @@ World::World(const Map& global_map, const WorldParameters& parameters) {
   for (const Object& object : global_map.objects)
     if (object.type == ObjectType::door && object.points.size() == 2)
       add_opening(segment(global_map, object), parameters);
+  solid_.sort();
   for (Front& front : fronts_) find_gaps(front, parameters);
+  doors_.sort();
+  for (std::size_t i = 0; i < fronts_.size(); ++i) {
+    Front& front = fronts_[i];
+    for (const auto* pieces : {&front.pieces, &front.gaps})
+      for (const Interval& piece : *pieces) front.length += piece.length();
+    by_angle_.emplace_back(std::atan2(front.line.along.y(), front.line.along.x()), i);
+  }
+  std::ranges::sort(by_angle_);
 }
 
 /// Many maps draw no doors, only the gaps for them.
@@ -70,7 +79,7 @@ bool World::is_doorway(const Front& front, const Interval& gap,
   if (gap.length() < parameters.min_door || gap.length() > parameters.max_door) return false;
   const Vector2& along = front.line.along;
   const Vector2 place = point_at(front.line, gap.middle());
-  return solid_.nearest(place, -front.line.normal) > parameters.behind &&
+  return solid_.first(place, -front.line.normal).distance > parameters.behind &&
          !runs_into(point_at(front.line, gap.from), along, parameters) &&
          !runs_into(point_at(front.line, gap.to), -along, parameters);
 }
@@ -113,51 +122,23 @@ void World::add_face(const Segment& segment, bool is_wall) {
   solid_.add(segment);
   auto front =
       std::ranges::find_if(fronts_, [&](const Front& known) { return is_in_line(known, line); });
-  if (front == fronts_.end()) front = fronts_.insert(front, Front{line, {}, {}, {}});
+  if (front == fronts_.end()) front = fronts_.insert(front, Front{line, {}, {}, {}, 0.0});
   const Interval extent = extent_on(front->line, line);
   front->pieces.push_back(extent);
   if (is_wall) front->walls.push_back(extent);
 }
 
 Met World::meet(const Vector2& origin, const Vector2& direction) const {
-  Met met{solid_.nearest(origin, direction), doors_.nearest(origin, direction)};
+  Met met{solid_.first(origin, direction).distance,
+          doors_.first(origin, direction).distance};
   if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();
   return met;
 }
 
 std::optional<MetFace> World::meet_face(const Vector2& origin, const Vector2& direction) const {
-  MetFace first{0, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    const double distance = solid_.distance_to(i, origin, direction);
-    if (distance < first.distance) first = {i, distance};
-  }
-  if (std::isinf(first.distance)) return std::nullopt;
-  return first;
-}
-
-void World::Rays::add(const Segment& segment) {
-  ax.push_back(segment.a.x());
-  ay.push_back(segment.a.y());
-  dx.push_back(segment.b.x() - segment.a.x());
-  dy.push_back(segment.b.y() - segment.a.y());
-}
-
-double World::Rays::distance_to(std::size_t i, const Vector2& origin,
-                                const Vector2& direction) const {
-  const double to_x = ax[i] - origin.x();
-  const double to_y = ay[i] - origin.y();
-  const double across = direction.x() * dy[i] - direction.y() * dx[i];
-  const double distance = (to_x * dy[i] - to_y * dx[i]) / across;
-  const double place = (to_x * direction.y() - to_y * direction.x()) / across;
-  const bool is_met = distance > 0.0 && place >= 0.0 && place <= 1.0;  // parallel: NaN, not met
-  return is_met ? distance : std::numeric_limits<double>::infinity();
-}
-
-double World::Rays::nearest(const Vector2& origin, const Vector2& direction) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ax.size(); ++i)
-    nearest = std::min(nearest, distance_to(i, origin, direction));
-  return nearest;
+  const RayHit hit = solid_.first(origin, direction);
+  if (std::isinf(hit.distance)) return std::nullopt;
+  return MetFace{hit.line, hit.distance};
 }
 
 }  // namespace perceptor::localize

@@ -1,12 +1,16 @@
 /// @file The known building, prepared for being compared with what the robot sees.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/line.hpp"
 #include "common/model/map.hpp"
+#include "components/localize/rays.hpp"
 
 namespace perceptor::localize {
 
@@ -23,6 +27,7 @@ struct Front {
   std::vector<Interval> pieces;  ///< [m] along the line, from its middle, in order: faces
   std::vector<Interval> walls;   ///< those of them that are walls: no door hangs on a cabinet
   std::vector<Interval> gaps;    ///< between them, as wide as a door is: it may be shut
+  double length = 0.0;           ///< [m] of all these together
 };
 
 /// Where a door may be, open or shut: drawn, or a gap in a line of walls.
@@ -58,23 +63,27 @@ class World {
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Front>& fronts() const { return fronts_; }
+
+  /// Calls `take(front)` for each front whose direction is within `tolerance` of `angle` [rad].
+  template <class Take>
+  void for_fronts_along(double angle, double tolerance, const Take& take) const {
+    for (const double turn : {-2.0 * std::numbers::pi, 0.0, 2.0 * std::numbers::pi}) {
+      const std::pair least{angle + turn - tolerance, std::size_t{0}};
+      for (auto i = std::ranges::lower_bound(by_angle_, least);
+           i != by_angle_.end() && i->first <= angle + turn + tolerance; ++i)
+        take(fronts_[i->second]);
+    }
+  }
+
   const std::vector<Doorway>& doorways() const { return doorways_; }
 
   /// `direction` is a unit vector.
   Met meet(const Vector2& origin, const Vector2& direction) const;
 
-  /// The same, slower, and nothing of doors; none where there is no face.
+  /// The same, without doors; none where there is no face.
   std::optional<MetFace> meet_face(const Vector2& origin, const Vector2& direction) const;
 
  private:
-  /// Lines for ray casting, each component in its own array: ten times as fast as one by one.
-  struct Rays {
-    std::vector<double> ax, ay, dx, dy;
-    void add(const Segment& segment);
-    double distance_to(std::size_t i, const Vector2& origin, const Vector2& direction) const;
-    double nearest(const Vector2& origin, const Vector2& direction) const;
-  };
-
   void add_face(const Segment& segment, bool is_wall);
   void find_gaps(Front& front, const WorldParameters& parameters);
   bool is_doorway(const Front& front, const Interval& gap, const WorldParameters& parameters) const;
@@ -84,6 +93,7 @@ class World {
   std::vector<Face> faces_;
   std::vector<Front> fronts_;
   std::vector<Doorway> doorways_;
+  std::vector<std::pair<double, std::size_t>> by_angle_;  ///< of fronts_, in order
   Rays solid_;
   Rays doors_;
 };

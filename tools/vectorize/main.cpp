@@ -19,6 +19,7 @@ struct VectorizeOptions {
   std::filesystem::path out;
   ImageMeaning image;
   std::vector<double> origin = {0.0, 0.0, 0.0};
+  std::string surface;  ///< empty: what the kind of file suggests
   VectorizeParameters parameters;
 };
 
@@ -30,6 +31,8 @@ int vectorize_file(VectorizeOptions options) {
   options.image.origin = {options.origin[0], options.origin[1], options.origin[2]};
   const OccupancyGrid grid =
       is_yaml(options.in) ? read_map_server(options.in) : read_image(options.in, options.image);
+  if (options.surface == "middle" || (options.surface.empty() && is_yaml(options.in)))
+    options.parameters.surface = Surface::middle;
   const Floorplan plan = vectorize(grid, options.parameters);
   if (plan.walls.empty())
     throw std::runtime_error(options.in.string() +
@@ -74,6 +77,10 @@ int main(int argc, char** argv) {
   app.add_option("--min-length", options.parameters.min_length, "[m] shorter outlines are specks")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  app.add_option("--surface", options.surface,
+                 "of walls: the edge of what is occupied, or its middle, for maps made of scans,\n"
+                 "which smear a wall (default: middle for YAML, edge for plain images)")
+      ->check(CLI::IsMember({"edge", "middle"}));
   app.add_option("--reach", options.parameters.reach,
                  "unknown cells between what is free and what is occupied")
       ->check(CLI::Range(0, 100))

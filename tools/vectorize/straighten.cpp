@@ -11,6 +11,9 @@
 namespace perceptor {
 namespace {
 
+/// [m] by which lines are moved in at most: corners move as far.
+constexpr double kDeepest = 0.5;
+
 using Places = std::vector<Vector2>;
 
 /// Indices of the places between `first` and `last` that stay.
@@ -45,24 +48,30 @@ Line fit(const Places& places, std::size_t first, std::size_t last) {
   return {mean, along, perpendicular(along), (places[last] - places[first]).norm()};
 }
 
-/// Where two lines meet, if that is near the corner that was found.
-Vector2 corner_of(const Line& p, const Line& q, const Vector2& found, double tolerance) {
-  const double sine = cross(p.along, q.along);
-  if (std::abs(sine) > 0.1) {
-    const double along = cross(q.middle - p.middle, q.along) / sine;
-    const Vector2 meet = p.middle + along * p.along;
-    if (distance(meet, found) < 3.0 * tolerance) return meet;
-  }
-  return found;
-}
-
 Vector2 dropped_on(const Line& line, const Vector2& place) {
   return point_at(line, place_on(line, place));
 }
 
+Line moved_in(Line line, const std::function<double(const Line&)>& inset) {
+  line.middle -= inset(line) * line.normal;
+  return line;
+}
+
+/// Where two lines meet, if that is near the corner that was found.
+Vector2 corner_of(const Line& p, const Line& q, const Vector2& found, double reach) {
+  const double sine = cross(p.along, q.along);
+  if (std::abs(sine) > 0.1) {
+    const double along = cross(q.middle - p.middle, q.along) / sine;
+    const Vector2 meet = p.middle + along * p.along;
+    if (distance(meet, found) < reach) return meet;
+  }
+  return (dropped_on(p, found) + dropped_on(q, found)) / 2.0;
+}
+
 }  // namespace
 
-std::vector<Segment> straighten(const Outline& outline, double tolerance) {
+std::vector<Segment> straighten(const Outline& outline, double tolerance,
+                                const std::function<double(const Line&)>& inset) {
   Places places = outline.places;
   if (places.size() < 2) return {};
   if (outline.is_closed) {
@@ -88,17 +97,18 @@ std::vector<Segment> straighten(const Outline& outline, double tolerance) {
 
   std::vector<Line> lines;
   for (std::size_t i = 1; i < corners.size(); ++i)
-    lines.push_back(fit(places, corners[i - 1], corners[i]));
+    lines.push_back(moved_in(fit(places, corners[i - 1], corners[i]), inset));
+  const double reach = 3.0 * tolerance + kDeepest;
   Places ends;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2& found = places[corners[i]];
     const bool is_outer = i == 0 || i + 1 == corners.size();
     if (is_outer && outline.is_closed)
-      ends.push_back(corner_of(lines.back(), lines.front(), found, tolerance));
+      ends.push_back(corner_of(lines.back(), lines.front(), found, reach));
     else if (is_outer)
       ends.push_back(dropped_on(i == 0 ? lines.front() : lines.back(), found));
     else
-      ends.push_back(corner_of(lines[i - 1], lines[i], found, tolerance));
+      ends.push_back(corner_of(lines[i - 1], lines[i], found, reach));
   }
   std::vector<Segment> pieces;
   for (std::size_t i = 1; i < ends.size(); ++i) pieces.push_back({ends[i - 1], ends[i]});

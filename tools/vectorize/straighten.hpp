@@ -3,16 +3,18 @@
 /// between them by total least squares, corners again where lines meet.
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "common/geometry/segment.hpp"
+#include "common/geometry/line.hpp"
 #include "tools/vectorize/trace.hpp"
 
 namespace perceptor {
 
 /// The straight pieces in order, each but the first beginning where the one before ends; a closed
-/// outline's last ends where its first begins. `tolerance` [m]: no place lies farther off. None for
-/// fewer than two places.
-std::vector<Segment> straighten(const Outline& outline, double tolerance);
+/// outline's last ends where its first begins. `tolerance` [m]: no place lies farther off. `inset`:
+/// how far a line is moved to its right, into what is occupied [m]. None for fewer than two places.
+std::vector<Segment> straighten(const Outline& outline, double tolerance,
+                                const std::function<double(const Line&)>& inset);
 
 }  // namespace perceptor

@@ -1,6 +1,7 @@
 #include "tools/vectorize/vectorize.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +16,30 @@ double length_of(const std::vector<Segment>& pieces) {
   double sum = 0.0;
   for (const Segment& piece : pieces) sum += length(piece);
   return sum;
+}
+
+/// [m] of what is occupied behind one place of an outline.
+double depth_behind(const OccupancyGrid& grid, const Vector2& place, const Vector2& inward,
+                    double most) {
+  const double step = grid.resolution / 4.0;
+  const Position world_in_grid = inverse(grid.grid_in_world);
+  for (double depth = step; depth <= most; depth += step) {
+    const Vector2 at = transform(world_in_grid, place + depth * inward) / grid.resolution;
+    const auto x = static_cast<int>(std::floor(at.x()));
+    const auto y = static_cast<int>(std::floor(at.y()));
+    if (grid.at(x, y) != CellState::occupied) return depth - step;
+  }
+  return most;
+}
+
+/// [m] from a line along an outline to the middle of the band behind it.
+double to_middle(const OccupancyGrid& grid, const Line& line, double thickest) {
+  std::vector<double> depths;
+  for (double at = -line.length / 2.0; at <= line.length / 2.0; at += grid.resolution)
+    depths.push_back(depth_behind(grid, point_at(line, at), -line.normal, thickest));
+  const auto half = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), half, depths.end());
+  return *half < thickest ? *half / 2.0 : 0.0;
 }
 
 /// The free cell with the largest free square up and right of it, by dynamic programming.
@@ -65,8 +90,12 @@ void add_start_area(const OccupancyGrid& grid, FloorplanBuilder& builder) {
 
 Floorplan vectorize(const OccupancyGrid& grid, const VectorizeParameters& parameters) {
   FloorplanBuilder builder;
+  const auto inset = [&](const Line& line) {
+    return parameters.surface == Surface::edge ? 0.0
+                                               : to_middle(grid, line, parameters.thickest);
+  };
   for (const Outline& outline : trace_outlines(grid, parameters.reach)) {
-    const auto pieces = straighten(outline, parameters.tolerance * grid.resolution);
+    const auto pieces = straighten(outline, parameters.tolerance * grid.resolution, inset);
     if (length_of(pieces) < parameters.min_length) continue;
     for (const Segment& piece : pieces)
       if (length(piece) > grid.resolution / 2.0) builder.add_wall(piece);
