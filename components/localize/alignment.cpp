@@ -33,24 +33,25 @@ const Face* face_of(const World& world, const Line& wall, const AlignmentParamet
   return nearest;
 }
 
+/// [m] A wall this far from its face is another thing: it says nothing of the map's error.
+constexpr double kOffTheMap = 0.1;
+
 struct NormalEquations {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d of_map = Eigen::Matrix3d::Zero();  ///< information if only the map erred
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  double squared_offsets = 0.0;   ///< [m^2] weighted, from walls to faces
+  double squared_offsets = 0.0;   ///< [m^2] sum, from walls to faces
   double offset_variances = 0.0;  ///< [m^2] what of it the walls' own errors explain
-  double offsets = 0.0;           ///< how many, weighted
+  int offsets = 0;                ///< how many
 
   /// One measurement: `residual` changes by `jacobian` with the pose.
-  /// Gives the weight it has among outliers.
-  double add(const Eigen::Vector3d& jacobian, double residual, double variance,
-             double map_variance, double outlier_sigmas) {
+  void add(const Eigen::Vector3d& jacobian, double residual, double variance, double map_variance,
+           double outlier_sigmas) {
     const double total = variance + map_variance;
     const double weight = 1.0 / (1.0 + square(residual / outlier_sigmas) / total);
     information += weight / total * jacobian * jacobian.transpose();
     of_map += weight / map_variance * jacobian * jacobian.transpose();
     gradient -= weight / total * jacobian * residual;
-    return weight;
   }
 };
 
@@ -63,12 +64,8 @@ void add_wall(NormalEquations& equations, const Position& frame_in_world, const 
     return Eigen::Vector3d(axis.x(), axis.y(), axis.dot(lever));
   };
   const double offset = line.normal.dot(wall.line.middle - line.middle);
-  const double weight = equations.add(jacobian(line.normal, wall.line.middle), offset,
-                                      wall.covariance(0, 0), map_variance,
-                                      parameters.outlier_sigmas);
-  equations.squared_offsets += weight * square(offset);
-  equations.offset_variances += weight * wall.covariance(0, 0);
-  equations.offsets += weight;
+  equations.add(jacobian(line.normal, wall.line.middle), offset, wall.covariance(0, 0),
+                map_variance, parameters.outlier_sigmas);
   // A face whose ends are off by the map's error turns by so much.
   equations.add({0.0, 0.0, 1.0}, turn_between(line, wall.line), wall.covariance(1, 1),
                 2.0 * map_variance / square(line.length), parameters.outlier_sigmas);
@@ -80,6 +77,10 @@ void add_wall(NormalEquations& equations, const Position& frame_in_world, const 
     equations.add(jacobian(line.along, ends[i]), shift, wall.end_variance[i], map_variance,
                   parameters.outlier_sigmas);
   }
+  if (std::abs(offset) > kOffTheMap) return;
+  equations.squared_offsets += square(offset);
+  equations.offset_variances += wall.covariance(0, 0);
+  ++equations.offsets;
 }
 
 Eigen::Vector3d difference(const Position& from, const Position& to) {
@@ -123,9 +124,8 @@ std::optional<Alignment> align(const World& world, const std::vector<LocalWall>&
     alignment.frame_in_world.covariance = solver.solve(Eigen::Matrix3d::Identity());
   }
   // The pose took three of the offsets for itself.
-  constexpr double kTaken = 3.0;
-  constexpr double kEnough = 1.0;
-  if (const double left = equations.offsets - kTaken; left > kEnough)
+  constexpr int kTaken = 3;
+  if (const int left = equations.offsets - kTaken; left > 0)
     alignment.map_variance =
         std::max(0.0, (equations.squared_offsets - equations.offset_variances) / left);
   // Where the walls say nothing the map's error does not matter.

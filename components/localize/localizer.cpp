@@ -144,11 +144,23 @@ void Localizer::take_answer(const Sight& sight) {
     state_ = State::lost;
     tracked_.reset();
   }
+  if (!tracked_ && !fits_together()) forget_older_half();
   if (!tracked_ && is_claimed()) {
     state_ = State::tracking;
     tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
                        sight.robot_in_local, sight.utime};
   }
+}
+
+/// Nowhere do all keyframes fit: the robot was carried away between them.
+bool Localizer::fits_together() const {
+  return keyframes_.size() < static_cast<std::size_t>(parameters_.keyframes.count) ||
+         (!places_.empty() && places_.front().explained >= parameters_.watch.min_explained);
+}
+
+void Localizer::forget_older_half() {
+  keyframes_.erase(keyframes_.begin(),
+                   keyframes_.begin() + static_cast<std::ptrdiff_t>(keyframes_.size() / 2));
 }
 
 bool Localizer::is_claimed() const {

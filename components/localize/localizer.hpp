@@ -116,6 +116,8 @@ class Localizer {
   bool is_time_to_ask(std::int64_t utime) const;
   void ask(const Sight& sight);
   void take_answer(const Sight& sight);
+  bool fits_together() const;
+  void forget_older_half();
   bool is_claimed() const;
   bool is_ambiguous() const;
   bool still_wins(const Sight& sight) const;

@@ -1,5 +1,6 @@
 #include "components/localize/localizer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +41,41 @@ TEST(BeamFit, ShutDoorExplainsBeams) {
   EXPECT_EQ(fit_beams(World(map), {}, beams, {}).explained, 1.0);
 }
 
+TEST(ChooseBeams, TakesThemFromAllOverTheScanAndLeavesOutliersOut) {
+  const Building building = angled_room();
+  auto ends = beam_ends(test::sweep(building.scene, test::pico_laser(), {2.0, 1.1, 0.0}));
+  ASSERT_EQ(ends.size(), 1000U);
+  const auto beams = choose_beams(ends, 100);
+  ASSERT_EQ(beams.size(), 100U);
+  EXPECT_LT(std::abs(std::atan2(beams.front().direction.y(), beams.front().direction.x()) + 2.0),
+            0.03);
+  EXPECT_LT(std::abs(std::atan2(beams.back().direction.y(), beams.back().direction.x()) - 2.0),
+            0.03);
+  for (std::size_t i = 5; i < ends.size(); i += 20) ends[i].location *= 3.0;
+  EXPECT_EQ(choose_beams(ends, 100).size(), 50U);
+  EXPECT_EQ(choose_beams(ends, 5000).size(), 950U);
+  EXPECT_TRUE(choose_beams({}, 100).empty());
+}
+
+TEST(Alignment, TellsHowFarTheWallsStandOffTheMap) {
+  const Building building = angled_room();
+  const Position robot{2.0, 1.1, 0.0};
+  std::vector<LocalWall> walls = local_walls(walls_in(building, robot, 1), 0);
+  const World world(building.map);
+  const auto exact = align(world, walls, {robot, {}}, false, {});
+  ASSERT_TRUE(exact && exact->map_variance);
+  EXPECT_NEAR(*exact->map_variance, 0.0, 1e-6);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Vector2 off = (i % 2 == 0 ? 0.03 : -0.03) * walls[i].line.normal;
+    walls[i].line.middle += off;
+    walls[i].segment = {walls[i].segment.a + off, walls[i].segment.b + off};
+  }
+  const auto displaced = align(world, walls, {robot, {}}, false, {});
+  ASSERT_TRUE(displaced && displaced->map_variance);
+  EXPECT_GT(std::sqrt(*displaced->map_variance), 0.01);
+  EXPECT_LT(std::sqrt(*displaced->map_variance), 0.06);
+}
+
 TEST(Alignment, FindsThePoseFromNearBy) {
   const Building building = angled_room();
   const Position robot{2.0, 1.1, 2.0};
@@ -78,6 +114,19 @@ TEST(Candidates, TruthIsAmongThem) {
   EXPECT_NEAR(candidates.front().explained, 18.0, 0.1);
   for (std::size_t i = 1; i < candidates.size(); ++i)
     EXPECT_LE(candidates[i].explained, candidates[i - 1].explained);
+}
+
+TEST(Candidates, OneWallInViewIsSlidAlongAllFronts) {
+  const Building building = angled_room();
+  const Position local_in_world{2.0, 1.1, 0.3};
+  std::vector<LocalWall> walls = local_walls(walls_in(building, local_in_world, 1), 0);
+  walls.resize(1);
+  walls.front().is_corner = {false, false};
+  const auto candidates = find_candidates(World(building.map), walls, {});
+  EXPECT_TRUE(std::ranges::any_of(candidates, [&](const Candidate& candidate) {
+    return distance(candidate.local_in_world.location(), local_in_world.location()) < 0.15 &&
+           std::abs(angle_difference(candidate.local_in_world.a, local_in_world.a)) < 0.02;
+  }));
 }
 
 /// A robot that turns in place, and then drives on, somewhere in a building.
@@ -153,6 +202,18 @@ TEST(Localizer, NoticesThatItWasCarriedAway) {
   const WorldPosition again = drive.turn(2.0);
   ASSERT_EQ(again.state, State::tracking);
   expect_near(again.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, BearsBeingCarriedAroundAllTheTime) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0});
+  for (int i = 0; i < 20; ++i) {
+    drive.turn(0.7);
+    drive.kidnap(i % 2 == 0 ? Position{4.2, 1.0, 2.0} : Position{1.2, 2.9, -1.0});
+  }
+  drive.kidnap({1.0, 1.0, 0.0});
+  const WorldPosition last = drive.turn(6.0);
+  ASSERT_EQ(last.state, State::tracking);
+  expect_near(last.robot_in_world->pose, drive.truth(), 0.01, 0.005);
 }
 
 TEST(Localizer, UnknownBoxesDoNotMatter) {

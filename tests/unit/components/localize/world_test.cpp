@@ -1,6 +1,7 @@
 #include "components/localize/world.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,74 @@ TEST(World, DoorBehindAWallIsNotMet) {
   const Met met = World(map).meet({0.0, 0.0}, {0.0, 1.0});
   EXPECT_DOUBLE_EQ(met.face, 1.0);
   EXPECT_TRUE(std::isinf(met.door));
+}
+
+/// Two rooms, one above the other, a wall of 0.2 m between them with a doorway from 1 to 2.
+Map rooms_with_thick_wall() {
+  Map map;
+  add_wall(map, {{0.0, 2.0}, {1.0, 2.0}}, FreeSide::right);
+  add_wall(map, {{2.0, 2.0}, {3.0, 2.0}}, FreeSide::right);
+  add_wall(map, {{0.0, 2.2}, {1.0, 2.2}});
+  add_wall(map, {{2.0, 2.2}, {3.0, 2.2}});
+  add_wall(map, {{1.0, 2.0}, {1.0, 2.2}}, FreeSide::right);
+  add_wall(map, {{2.0, 2.0}, {2.0, 2.2}});
+  return map;
+}
+
+TEST(World, OpeningsInBothFacesOfAWallAreOneDoorway) {
+  Map map = rooms_with_thick_wall();
+  const World world(map);
+  ASSERT_EQ(world.doorways().size(), 1U);
+  const Doorway& doorway = world.doorways().front();
+  EXPECT_NEAR(doorway.half_depth, 0.1, 1e-12);
+  EXPECT_LT(distance(middle(doorway.opening), Vector2(1.5, 2.1)), 1e-12);
+  EXPECT_DOUBLE_EQ(length(doorway.opening), 1.0);
+
+  add_segment(map, {{1.0, 2.0}, {2.0, 2.0}}, ObjectType::door);
+  EXPECT_EQ(World(map).doorways().size(), 1U) << "drawn as well";
+}
+
+TEST(World, NicheIsNoDoorway) {
+  Map map;
+  add_wall(map, {{0.0, 2.0}, {1.0, 2.0}}, FreeSide::right);
+  add_wall(map, {{2.0, 2.0}, {3.0, 2.0}}, FreeSide::right);
+  add_wall(map, {{1.0, 2.4}, {2.0, 2.4}}, FreeSide::right);
+  EXPECT_TRUE(World(map).doorways().empty());
+}
+
+TEST(World, CornerThatIsCutOffIsNoDoorway) {
+  Map map;
+  add_wall(map, {{0.0, 2.0}, {1.0, 2.0}}, FreeSide::right);
+  add_wall(map, {{1.0, 2.0}, {1.8, 2.6}}, FreeSide::right);
+  add_wall(map, {{2.0, 2.0}, {3.0, 2.0}}, FreeSide::right);
+  EXPECT_TRUE(World(map).doorways().empty());
+}
+
+TEST(World, NoDoorHangsOnACabinet) {
+  Map map;
+  add_wall(map, {{0.0, 2.0}, {1.0, 2.0}}, FreeSide::right);
+  Object cabinet;
+  cabinet.type = ObjectType::cabinet;
+  cabinet.connection = Connection::closed;
+  for (const Vector2& corner :
+       {Vector2(2.0, 2.0), Vector2(2.0, 2.5), Vector2(3.0, 2.5), Vector2(3.0, 2.0)})
+    cabinet.points.push_back(add_point(map, corner));
+  map.objects.push_back(cabinet);
+  EXPECT_TRUE(World(map).doorways().empty());
+}
+
+TEST(World, FrontsAreFoundByTheirDirection) {
+  const World world(angled_room().map);
+  const auto count = [&](double angle) {
+    int fronts = 0;
+    world.for_fronts_along(angle, 0.1, [&](const Front&) { ++fronts; });
+    return fronts;
+  };
+  EXPECT_EQ(count(0.0), 1);
+  EXPECT_EQ(count(std::numbers::pi), 2) << "upper walls at 2 m and 4 m";
+  EXPECT_EQ(count(-std::numbers::pi), 2);
+  EXPECT_EQ(count(std::numbers::pi + 0.05 + 2.0 * std::numbers::pi), 2);
+  EXPECT_EQ(count(0.7), 0);
 }
 
 }  // namespace

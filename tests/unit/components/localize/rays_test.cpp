@@ -1,0 +1,71 @@
+#include "components/localize/rays.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace perceptor::localize {
+namespace {
+
+double brute_force(const std::vector<Segment>& lines, const Vector2& origin,
+                   const Vector2& direction) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Segment& line : lines) {
+    const Vector2 along = line.b - line.a;
+    const double across = cross(direction, along);
+    const double distance = cross(line.a - origin, along) / across;
+    const double place = cross(line.a - origin, direction) / across;
+    if (distance > 0.0 && place >= 0.0 && place <= 1.0) nearest = std::min(nearest, distance);
+  }
+  return nearest;
+}
+
+TEST(Rays, MeetWhatALookAtEachLineFinds) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-20.0, 20.0);
+  std::uniform_real_distribution<double> step(-3.0, 3.0);
+  std::vector<Segment> lines;
+  Rays rays;
+  for (int i = 0; i < 120; ++i) {
+    const Vector2 a(place(random), place(random) / 4.0);
+    lines.push_back({a, a + Vector2(step(random), i % 3 == 0 ? 0.0 : step(random))});
+    rays.add(lines.back());
+  }
+  rays.sort();
+  int met = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector2 origin(1.5 * place(random), place(random) / 3.0);
+    const double bearing = i % 5 == 0 ? (i % 4) * std::numbers::pi / 2.0 : place(random);
+    const Vector2 direction(std::cos(bearing), std::sin(bearing));
+    const RayHit hit = rays.first(origin, direction);
+    const double expected = brute_force(lines, origin, direction);
+    if (std::isinf(expected)) {
+      EXPECT_TRUE(std::isinf(hit.distance));
+    } else {
+      EXPECT_NEAR(hit.distance, expected, 1e-9);
+      EXPECT_NEAR(distance(lines[hit.line], origin + hit.distance * direction), 0.0, 1e-9);
+      ++met;
+    }
+  }
+  EXPECT_GT(met, 1000);
+}
+
+TEST(Rays, OneLineAlongAnAxis) {
+  Rays rays;
+  rays.add({{1.0, -1.0}, {1.0, 1.0}});
+  rays.sort();
+  EXPECT_DOUBLE_EQ(rays.first({0.0, 0.0}, {1.0, 0.0}).distance, 1.0);
+  EXPECT_TRUE(std::isinf(rays.first({0.0, 0.0}, {-1.0, 0.0}).distance));
+  EXPECT_TRUE(std::isinf(rays.first({0.0, 2.0}, {1.0, 0.0}).distance));
+}
+
+TEST(Rays, NothingToMeet) {
+  Rays rays;
+  rays.sort();
+  EXPECT_TRUE(std::isinf(rays.first({0.0, 0.0}, {1.0, 0.0}).distance));
+}
+
+}  // namespace
+}  // namespace perceptor::localize
