@@ -6,12 +6,9 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
-
-#include <unistd.h>
 
 #include "common/runner/runner.hpp"
 #include "components/bridge/bridge_config.hpp"
@@ -25,6 +22,7 @@
 #include "tools/eval/random_world.hpp"
 #include "tools/eval/world_writer.hpp"
 #include "tools/progress.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {
@@ -42,28 +40,6 @@ struct LocalizeOptions {
   std::vector<std::string> overrides;
   fs::path json;
   fs::path log;
-};
-
-/// Goes with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "pico-eval-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 Robot read_robot(const fs::path& config_dir) {

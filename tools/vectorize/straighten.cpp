@@ -34,8 +34,14 @@ void find_corners(const Places& places, std::size_t first, std::size_t last, dou
   find_corners(places, farthest, last, tolerance, corners);
 }
 
-/// A line of total least squares, in the direction of the places.
+/// A line of total least squares, in the direction of the places. Those at its ends may be the
+/// neighbours': where there are others, they do not count.
 Line fit(const Places& places, std::size_t first, std::size_t last) {
+  constexpr std::size_t kEnough = 4;
+  if (last - first >= kEnough) {
+    ++first;
+    --last;
+  }
   const auto count = static_cast<double>(last - first + 1);
   Vector2 mean = Vector2::Zero();
   for (std::size_t i = first; i <= last; ++i) mean += places[i] / count;

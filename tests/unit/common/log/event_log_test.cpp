@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <lcm/lcm-cpp.hpp>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {
@@ -36,7 +36,7 @@ class EventLog : public ::testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 /// The bytes of one event.

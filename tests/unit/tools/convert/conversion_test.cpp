@@ -16,7 +16,7 @@
 
 #include "common/messages/schema.hpp"
 #include "common/messages/validate.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {
@@ -84,7 +84,7 @@ class Conversion : public ::testing::Test {
     return messages;
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Conversion, WritesWhatWasRecorded) {

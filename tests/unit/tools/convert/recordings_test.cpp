@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/recorded_data.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tools/convert/conversion.hpp"
 #include "tools/logcheck/log_check.hpp"
 
@@ -25,7 +25,7 @@ class RecordedData : public ::testing::TestWithParam<Recording> {};
 TEST_P(RecordedData, ConvertsWithoutLossToACompleteLog) {
   const Recording& expected = GetParam();
   PERCEPTOR_REQUIRE_RECORDED(expected.file);
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   std::istringstream in(testing::unpacked(*testing::recorded(expected.file)));
   ConversionOptions options;
   options.events.still = expected.odometry == 0;

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
 
 namespace perceptor {
@@ -19,7 +19,7 @@ class LineReaderTest : public ::testing::Test {
     return LineReader(folder_ / "file");
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(LineReaderTest, PassesOverCommentsAndEmptyLines) {

@@ -5,7 +5,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
 
 namespace perceptor {
@@ -54,7 +54,7 @@ class ReadLogScans : public ::testing::Test {
     return read_log_scans(file_, [this](std::int64_t bytes) { read_bytes_ = bytes; });
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "drive";
   LogWriter writer_{file_};
   std::int64_t read_bytes_ = 0;

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
 #include "tools/eval/line_reader.hpp"
 
@@ -29,7 +29,7 @@ class PoseReference : public ::testing::Test {
     return testing::error_of<TextFileError>([&] { relations(text); });
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::filesystem::path file_ = folder_ / "drive.ref";
 };
 

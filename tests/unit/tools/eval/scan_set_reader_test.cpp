@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
 
 namespace perceptor {
@@ -46,7 +46,7 @@ class ScanSetReader : public ::testing::Test {
     return error_of<TextFileError>([&] { labelled(text); });
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ScanSetReader, ReadsScans) {

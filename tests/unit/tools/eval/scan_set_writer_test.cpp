@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {
@@ -60,7 +60,7 @@ TEST(ScanSetWriter, WritesTheTruth) {
 }
 
 TEST(ScanSetWriter, WritesTheTruthBesideTheScans) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const ScanSet set{.scans = {three_beams()}, .footprint = {}, .has_truth = true};
   write_scan_set(set, folder / "some.set.scan");
   EXPECT_THAT(contents(folder / "some.set.scan"), ::testing::StartsWith("# lxscan 1"));
@@ -68,7 +68,7 @@ TEST(ScanSetWriter, WritesTheTruthBesideTheScans) {
 }
 
 TEST(ScanSetWriter, ASetWithoutTruthHasNoFileOfIt) {
-  const testing::TemporaryFolder folder;
+  const TemporaryFolder folder;
   write_scan_set({.scans = {three_beams()}, .footprint = {}, .has_truth = false},
                  folder / "a.scan");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.truth"));

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/recorded_data.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tools/logcheck/log_check.hpp"
 
 namespace perceptor {
@@ -28,7 +28,7 @@ class ForeignLog : public ::testing::Test {
     return check_log(folder_ / "a.lcmlog");
   }
 
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
   std::string bytes_;
 };
 

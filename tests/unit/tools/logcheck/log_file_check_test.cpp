@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "common/log/event_log.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/logcheck/fake_publisher.hpp"
 #include "tools/logcheck/log_check.hpp"
 
@@ -48,7 +48,7 @@ class LogcheckFile : public ::testing::Test {
   }
 
   std::vector<LogEvent> log_;
-  testing::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(LogcheckFile, AWholeFileIsComplete) {

@@ -1,4 +1,4 @@
-/// @file A folder for the files of one test; gone with it.
+/// @file A folder that goes when nobody needs it any more, with all that is in it.
 #pragma once
 
 #include <cstdlib>
@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <string>
 
-namespace perceptor::testing {
+namespace perceptor {
 
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "perceptor_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "perceptor-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
     path_ = name;
   }
@@ -29,4 +29,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace perceptor::testing
+}  // namespace perceptor
