@@ -26,8 +26,8 @@ std::vector<Floorplan::Edge> FloorplanBuilder::edges(const std::vector<Segment>&
 
 int FloorplanBuilder::point(const Vector2& location) {
   const Vector2 rounded(to_millimetres(location.x()), to_millimetres(location.y()));
-  const auto [entry, is_new] = indices_.try_emplace({rounded.x(), rounded.y()},
-                                                    static_cast<int>(plan_.points.size()));
+  const auto [entry, is_new] =
+      indices_.try_emplace({rounded.x(), rounded.y()}, static_cast<int>(plan_.points.size()));
   if (is_new) plan_.points.push_back(rounded);
   return entry->second;
 }

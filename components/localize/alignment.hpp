@@ -25,10 +25,10 @@ struct AlignmentParameters {
 
 struct Alignment {
   PoseEstimate frame_in_world;
-  int matched = 0;                  ///< walls that have a face
-  double matched_length = 0.0;      ///< [m] of these, on their faces
-  Eigen::Matrix3d map_covariance =  ///< what of the covariance is the map's own error: the same
-      Eigen::Matrix3d::Zero();      ///< from scan to scan
+  int matched = 0;                     ///< walls that have a face
+  double matched_length = 0.0;         ///< [m] of these, on their faces
+  Eigen::Matrix3d map_covariance =     ///< what of the covariance is the map's own error: the same
+      Eigen::Matrix3d::Zero();         ///< from scan to scan
   std::optional<double> map_variance;  ///< [m^2] how far the walls stood off the map, by what was
                                        ///< left over; none where too few walls matched
 };

@@ -116,8 +116,7 @@ class Finder {
   void slide_along_fronts() {
     for (const LocalWall& wall : longest_walls(parameters_.slid))
       for (const Front& front : world_.fronts())
-        if (front.length >= parameters_.min_share * wall.line.length)
-          slide_along(wall.line, front);
+        if (front.length >= parameters_.min_share * wall.line.length) slide_along(wall.line, front);
   }
 
   std::vector<Candidate> best_first() const { return cells_.best_first(); }

@@ -11,7 +11,7 @@
 namespace perceptor::localize {
 namespace {
 
-constexpr std::int32_t kDoorIds = 100'000;    // above all ids of walls
+constexpr std::int32_t kDoorIds = 100'000;  // above all ids of walls
 constexpr std::int32_t kObjectIds = 200'000;
 
 double square(double value) { return value * value; }
@@ -95,9 +95,8 @@ void CombinedMap::add(const PoseEstimate& robot_in_world, const std::vector<Beam
 bool CombinedMap::is_trusted(const PoseEstimate& robot_in_world, const std::vector<BeamEnd>& ends,
                              std::int64_t utime) {
   const Eigen::Matrix3d& covariance = robot_in_world.covariance;
-  const bool is_certain =
-      covariance(0, 0) + covariance(1, 1) < square(parameters_.max_sigma) &&
-      covariance(2, 2) < square(parameters_.max_angle);
+  const bool is_certain = covariance(0, 0) + covariance(1, 1) < square(parameters_.max_sigma) &&
+                          covariance(2, 2) < square(parameters_.max_angle);
   if (!is_certain) return false;
   const bool is_due = !checked_ || seconds_between(*checked_, utime) >= parameters_.check_period;
   if (is_due) {
@@ -117,16 +116,15 @@ bool CombinedMap::fits_best(const Position& robot_in_world, const std::vector<Be
   const auto is_better = [&](const Position& move) {
     return rate(compose(robot_in_world, move)) > here;
   };
-  return std::ranges::none_of(
-      std::initializer_list<Position>{{aside, 0.0, 0.0},
-                                      {-aside, 0.0, 0.0},
-                                      {0.0, aside, 0.0},
-                                      {0.0, -aside, 0.0},
-                                      {0.0, 0.0, askew},
-                                      {0.0, 0.0, -askew},
-                                      {0.0, 0.0, 2.0 * askew},
-                                      {0.0, 0.0, -2.0 * askew}},
-      is_better);
+  return std::ranges::none_of(std::initializer_list<Position>{{aside, 0.0, 0.0},
+                                                              {-aside, 0.0, 0.0},
+                                                              {0.0, aside, 0.0},
+                                                              {0.0, -aside, 0.0},
+                                                              {0.0, 0.0, askew},
+                                                              {0.0, 0.0, -askew},
+                                                              {0.0, 0.0, 2.0 * askew},
+                                                              {0.0, 0.0, -2.0 * askew}},
+                              is_better);
 }
 
 void CombinedMap::watch_face(const WorldBeam& beam, const std::optional<MetFace>& met,

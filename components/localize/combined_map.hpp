@@ -58,12 +58,12 @@ class CombinedMap {
 
  private:
   struct Presence {
-    double balance = 0.0;         ///< beams for it less beams against it
+    double balance = 0.0;        ///< beams for it less beams against it
     std::int64_t last_seen = 0;  ///< [us]
   };
   struct DoorState {
-    double open = 0.0;  ///< beams that passed, fading
-    double shut = 0.0;  ///< beams that ended there, fading
+    double open = 0.0;       ///< beams that passed, fading
+    double shut = 0.0;       ///< beams that ended there, fading
     std::int64_t faded = 0;  ///< [us] until when
     std::optional<bool> is_open;
     double confidence = 0.0;
@@ -83,7 +83,7 @@ class CombinedMap {
   Map global_map_;
   BeamFitParameters fit_;
   CombinedMapParameters parameters_;
-  std::vector<Presence> faces_;  ///< as in World::faces
+  std::vector<Presence> faces_;   ///< as in World::faces
   std::vector<DoorState> doors_;  ///< as in World::doorways
   UnknownObjects objects_;
   bool trusted_ = false;

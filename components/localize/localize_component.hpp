@@ -34,7 +34,7 @@ struct LocalizeConfig {
   std::string map = "hospital";  ///< a map's name in the folder `maps`, or its file
   localize::LocalizerParameters localize;
   localize::CombinedMapParameters combined;
-  double combined_period = 0.2;  ///< [s] of scans from one COMBINED_MAP to the next
+  double combined_period = 0.2;      ///< [s] of scans from one COMBINED_MAP to the next
   std::filesystem::path config_dir;  ///< set by the runner
 };
 
@@ -85,9 +85,9 @@ class LocalizeComponent {
   bool was_tracking_ = false;
   std::optional<std::int64_t> combined_at_;  ///< [us] utime of the last COMBINED_MAP
   std::int64_t combined_maps_ = 0;           ///< messages so far
-  std::deque<pico::laser_scan_t> scans_;  ///< whose map may still come
-  std::deque<pico::map_t> maps_;          ///< whose scan may still come
-  std::optional<pico::map_t> last_map_;   ///< without objects and points
+  std::deque<pico::laser_scan_t> scans_;     ///< whose map may still come
+  std::deque<pico::map_t> maps_;             ///< whose scan may still come
+  std::optional<pico::map_t> last_map_;      ///< without objects and points
 };
 
 }  // namespace perceptor

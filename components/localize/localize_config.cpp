@@ -31,7 +31,8 @@ void describe(config::Fields& fields, AlignmentParameters& p) {
   fields.number("max_angle", p.max_angle, kAngle, "[rad] the same");
   fields.number("max_shift", p.max_shift, kMetres, "[m] from a corner to that of the map");
   fields.number("min_overlap", p.min_overlap, kShare, "of the shorter of the two");
-  fields.number("map_sigma", p.map_sigma, kSmall, "[m] how far the real walls stand off the map, at a guess");
+  fields.number("map_sigma", p.map_sigma, kSmall,
+                "[m] how far the real walls stand off the map, at a guess");
   fields.number("outlier_sigmas", p.outlier_sigmas, {0.1, 20.0}, "a wall this far off counts half");
 }
 
@@ -71,7 +72,8 @@ void describe(config::Fields& fields, KeyframeParameters& p) {
   fields.number("distance", p.distance, kMetres, "[m] from the last; closer ones say the same");
   fields.number("angle", p.angle, {0.0, 3.2}, "[rad] the same");
   fields.integer("count", p.count, {1, 1000}, "kept; more decide safer and cost more");
-  fields.number("reach", p.reach, {0.1, 1e6}, "[m] and [rad] of way, before which all is forgotten");
+  fields.number("reach", p.reach, {0.1, 1e6},
+                "[m] and [rad] of way, before which all is forgotten");
 }
 
 void describe(config::Fields& fields, ClaimParameters& p) {

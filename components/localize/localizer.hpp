@@ -35,14 +35,14 @@ struct KeyframeParameters {
 };
 
 struct ClaimParameters {
-  int min_keyframes = 3;        ///< that were seen from the place
-  int min_leads = 3;            ///< of those, on which it beats the runner-up
-  double margin = 30.0;         ///< of the log likelihood over the runner-up's
-  double explained_lead = 0.15; ///< of the share explained over that of any other place, for one
-                                ///< view; less for more
-  double lost_margin = 10.0;    ///< another place this much better ends a claim
-  double min_explained = 0.4;   ///< share of the beams that end where the map says
-  int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
+  int min_keyframes = 3;         ///< that were seen from the place
+  int min_leads = 3;             ///< of those, on which it beats the runner-up
+  double margin = 30.0;          ///< of the log likelihood over the runner-up's
+  double explained_lead = 0.15;  ///< of the share explained over that of any other place, for one
+                                 ///< view; less for more
+  double lost_margin = 10.0;     ///< another place this much better ends a claim
+  double min_explained = 0.4;    ///< share of the beams that end where the map says
+  int ambiguous_keyframes = 8;   ///< after so many a place without a margin is called ambiguous
 };
 
 struct WatchParameters {
@@ -62,11 +62,11 @@ struct LocalizerParameters {
                      .heading_by_translation = 0.01,
                      .still = 0.001};  ///< of the local map's own pose
   WatchParameters watch;
-  double map_time = 5.0;        ///< [s] in which is learnt how far the walls stand off the map
-  double min_map_sigma = 0.002; ///< [m] they do at least
-  double search_time = 0.3;  ///< [s] from the scan that asks where the robot is to the first
-                             ///< that may know; less than it takes, and scans have to wait
-  double found_sigma = 0.1;  ///< [m] of the pose when it is claimed
+  double map_time = 5.0;         ///< [s] in which is learnt how far the walls stand off the map
+  double min_map_sigma = 0.003;  ///< [m] they do at least
+  double search_time = 0.3;      ///< [s] from the scan that asks where the robot is to the first
+                                 ///< that may know; less than it takes, and scans have to wait
+  double found_sigma = 0.1;      ///< [m] of the pose when it is claimed
   double found_heading_sigma = 0.05;  ///< [rad] the same
 };
 

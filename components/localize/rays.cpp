@@ -6,9 +6,9 @@
 namespace perceptor::localize {
 namespace {
 
-constexpr double kLeastCell = 0.5;      // [m]
+constexpr double kLeastCell = 0.5;       // [m]
 constexpr double kMostCells = 40'000.0;  // of a building however large
-constexpr double kMargin = 1e-6;        // [m] lines on the edge of a cell are in both
+constexpr double kMargin = 1e-6;         // [m] lines on the edge of a cell are in both
 
 /// Whether a line has a point in a square: it does not lie on one side of any of the four edges,
 /// nor the square on one side of it.

@@ -112,9 +112,8 @@ std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>&
                                const SearchParameters& parameters) {
   std::vector<Position> poses = known;
   const std::vector<Keyframe> glances = glances_of(keyframes, parameters);
-  for (const Position& candidate :
-       most_likely(world, find_candidates(world, walls, parameters.candidates), glances,
-                   parameters)) {
+  for (const Position& candidate : most_likely(
+           world, find_candidates(world, walls, parameters.candidates), glances, parameters)) {
     const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
     if (alignment) poses.push_back(alignment->frame_in_world.pose);
     poses.push_back(climb(world, candidate, glances, parameters));

@@ -53,7 +53,9 @@ void UnknownObjects::add(const std::vector<WorldBeam>& beams, const std::vector<
 void UnknownObjects::pass(const std::vector<WorldBeam>& beams) {
   if (beams.size() < 2) return;
   const Vector2 ahead = beams[beams.size() / 2].direction;
-  const auto bearing = [&](const Vector2& to) { return std::atan2(cross(ahead, to), ahead.dot(to)); };
+  const auto bearing = [&](const Vector2& to) {
+    return std::atan2(cross(ahead, to), ahead.dot(to));
+  };
   std::vector<double> bearings;
   for (const WorldBeam& beam : beams) bearings.push_back(bearing(beam.direction));
   for (auto& [key, cell] : cells_) {

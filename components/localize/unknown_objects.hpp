@@ -72,7 +72,7 @@ class UnknownObjects {
     std::int64_t hit_since = 0;  ///< [us] without a pause
     std::int64_t last_hit = 0;   ///< [us]
     bool is_static = false;
-    std::int32_t id = 0;         ///< of the object it was part of; 0: none
+    std::int32_t id = 0;  ///< of the object it was part of; 0: none
   };
 
   Key key_of(const Vector2& place) const;

@@ -7,8 +7,8 @@
 namespace perceptor::localize {
 namespace {
 
-constexpr double kSameLine = 0.02;   // [m] faces are drawn to the millimetre or the centimetre
-constexpr double kSameAngle = 0.02;  // [rad]
+constexpr double kSameLine = 0.02;    // [m] faces are drawn to the millimetre or the centimetre
+constexpr double kSameAngle = 0.02;   // [rad]
 constexpr double kSameOpening = 0.3;  // [rad] the faces of a wall need not be parallel
 
 /// The sides of a closed object, in the order of its points.
@@ -42,8 +42,10 @@ World::World(const Map& global_map, const WorldParameters& parameters) {
     }
   }
   for (const Object& object : global_map.objects)
-    if (object.type == ObjectType::door && object.points.size() == 2)
-      add_opening(segment(global_map, object), parameters);
+    if (object.type == ObjectType::door && object.points.size() == 2 &&
+        !join_doorway(segment(global_map, object), parameters))
+      doorways_.push_back({segment(global_map, object), 0.0});
+  are_doors_drawn_ = !doorways_.empty();
   solid_.sort();
   for (Front& front : fronts_) find_gaps(front, parameters);
   doors_.sort();
@@ -68,7 +70,8 @@ void World::find_gaps(Front& front, const WorldParameters& parameters) {
       front.gaps.push_back(gap);
       const Segment opening{point_at(front.line, gap.from), point_at(front.line, gap.to)};
       doors_.add(opening);
-      add_opening(opening, parameters);
+      if (!join_doorway(opening, parameters) && !are_doors_drawn_)
+        doorways_.push_back({opening, 0.0});
     }
     reached = std::max(reached, piece.to);
   }
@@ -96,7 +99,7 @@ bool World::runs_into(const Vector2& end, const Vector2& gap,
 }
 
 /// What is open in both faces of a wall is one doorway.
-void World::add_opening(const Segment& opening, const WorldParameters& parameters) {
+bool World::join_doorway(const Segment& opening, const WorldParameters& parameters) {
   for (Doorway& known : doorways_) {
     const Vector2 along = direction(known.opening);
     const Vector2 step = middle(opening) - middle(known.opening);
@@ -111,9 +114,9 @@ void World::add_opening(const Segment& opening, const WorldParameters& parameter
       known.opening = {known.opening.a + inward, known.opening.b + inward};
       known.half_depth = std::abs(across) / 2.0;
     }
-    return;
+    return true;
   }
-  doorways_.push_back({opening, 0.0});
+  return false;
 }
 
 void World::add_face(const Segment& segment, bool is_wall) {
@@ -129,8 +132,7 @@ void World::add_face(const Segment& segment, bool is_wall) {
 }
 
 Met World::meet(const Vector2& origin, const Vector2& direction) const {
-  Met met{solid_.first(origin, direction).distance,
-          doors_.first(origin, direction).distance};
+  Met met{solid_.first(origin, direction).distance, doors_.first(origin, direction).distance};
   if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();
   return met;
 }

@@ -30,7 +30,8 @@ struct Front {
   double length = 0.0;           ///< [m] of all these together
 };
 
-/// Where a door may be, open or shut: drawn, or a gap in a line of walls.
+/// Where a door may be, open or shut: drawn, or a gap in a line of walls where none is drawn at
+/// all.
 struct Doorway {
   Segment opening;          ///< [m] world frame, in the middle of the wall
   double half_depth = 0.0;  ///< [m] to either face of the wall
@@ -75,6 +76,7 @@ class World {
     }
   }
 
+  /// Drawn ones come first, in order.
   const std::vector<Doorway>& doorways() const { return doorways_; }
 
   /// `direction` is a unit vector.
@@ -88,11 +90,12 @@ class World {
   void find_gaps(Front& front, const WorldParameters& parameters);
   bool is_doorway(const Front& front, const Interval& gap, const WorldParameters& parameters) const;
   bool runs_into(const Vector2& end, const Vector2& gap, const WorldParameters& parameters) const;
-  void add_opening(const Segment& opening, const WorldParameters& parameters);
+  bool join_doorway(const Segment& opening, const WorldParameters& parameters);
 
   std::vector<Face> faces_;
   std::vector<Front> fronts_;
   std::vector<Doorway> doorways_;
+  bool are_doors_drawn_ = false;
   std::vector<std::pair<double, std::size_t>> by_angle_;  ///< of fronts_, in order
   Rays solid_;
   Rays doors_;

@@ -116,5 +116,21 @@ TEST_F(LaunchTest, StopsTheSourceFirstAndLeavesNobodyBehind) {
   }
 }
 
+/// Needs no bus.
+TEST(Launch, WhatNeedsAValueThatIsNotGivenIsLeftOut) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch / "set.json")
+      << R"({"processes": [{"name": "source", "command": ["true"], "finishes": true},
+                           {"name": "map", "command": ["sh", "-c", "exit 2"], "needs": "map"}]})";
+  const auto launch = [&](const std::string& value) {
+    return run({source("tools/launch"), scratch / "set.json", "--set", "map=" + value},
+               Seconds(10));
+  };
+  EXPECT_EQ(launch("").exit_code, 0);
+  const Finished given = launch("hospital");
+  EXPECT_NE(given.exit_code, 0) << given.output;
+  EXPECT_NE(given.output.find("map"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace perceptor::test

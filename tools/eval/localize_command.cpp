@@ -74,8 +74,7 @@ class Protocol {
                                        sites.front().file.string())) {}
 
   JudgedTrial run(std::size_t number) const {
-    const Trial trial =
-        draw_trial(sites_, sim::parameters_of(robot_), options_.protocol, number);
+    const Trial trial = draw_trial(sites_, sim::parameters_of(robot_), options_.protocol, number);
     const Site& site = sites_[trial.site];
     const Drive driven =
         drive(trial, site, options_.protocol, pipeline_, robot_.laser, options_.log);
@@ -152,8 +151,8 @@ Command add_localize_command(CLI::App& app) {
   localize->add_option("--seed", options->protocol.seed, "the same seed, the same trials")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  CLI::Option* only =
-      localize->add_option("--only", options->only, "the number of one trial")->check(CLI::PositiveNumber);
+  CLI::Option* only = localize->add_option("--only", options->only, "the number of one trial")
+                          ->check(CLI::PositiveNumber);
   localize->add_option("--log", options->log, "an LCM event log of that trial")->needs(only);
   localize->add_option("--jobs", options->jobs, "trials at a time")
       ->check(CLI::Range(1, 1024))
@@ -162,7 +161,8 @@ Command add_localize_command(CLI::App& app) {
   localize->add_option("--config-dir", options->config_dir, "folder of the components' JSON files")
       ->capture_default_str();
   localize
-      ->add_option("--set", options->overrides, "component.key=value, as in localize.claim.margin=20")
+      ->add_option("--set", options->overrides,
+                   "component.key=value, as in localize.claim.margin=20")
       ->allow_extra_args(false);
   localize->footer(
       "Each trial draws a building, a start and one condition from each list:\n"

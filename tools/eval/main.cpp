@@ -13,8 +13,7 @@ int main(int argc, char** argv) {
       perceptor::add_run_command(app),        perceptor::add_explain_command(app),
       perceptor::add_trajectory_command(app), perceptor::add_scan_command(app),
       perceptor::add_rooms_command(app),      perceptor::add_worlds_command(app),
-      perceptor::add_map_command(app),
-      perceptor::add_localize_command(app)};
+      perceptor::add_map_command(app),        perceptor::add_localize_command(app)};
   app.footer(
       "Examples:\n"
       "  pico-eval run build/run/last.lcmlog\n"

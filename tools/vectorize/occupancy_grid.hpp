@@ -12,10 +12,10 @@ namespace perceptor {
 enum class CellState : std::int8_t { unknown, free, occupied };
 
 struct OccupancyGrid {
-  int width = 0;             ///< cells along x
-  int height = 0;            ///< cells along y
-  double resolution = 0.05;  ///< [m] side of a cell
-  Position grid_in_world;    ///< the outer corner of cell (0, 0)
+  int width = 0;                 ///< cells along x
+  int height = 0;                ///< cells along y
+  double resolution = 0.05;      ///< [m] side of a cell
+  Position grid_in_world;        ///< the outer corner of cell (0, 0)
   std::vector<CellState> cells;  ///< row by row, that of the smallest y first
 
   /// Unknown outside.

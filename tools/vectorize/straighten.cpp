@@ -89,9 +89,8 @@ std::vector<Segment> straighten(const Outline& outline, double tolerance,
   }
   std::vector<std::size_t> corners = {0};
   if (outline.is_closed) {
-    const auto farthest = std::ranges::max_element(places, {}, [&](const Vector2& place) {
-      return distance(place, places.front());
-    });
+    const auto farthest = std::ranges::max_element(
+        places, {}, [&](const Vector2& place) { return distance(place, places.front()); });
     const auto middle = static_cast<std::size_t>(farthest - places.begin());
     find_corners(places, 0, middle, tolerance, corners);
     corners.push_back(middle);

@@ -24,10 +24,14 @@ Heading turned_left(Heading heading) { return static_cast<Heading>((heading + 1)
 /// The cell to the left of a side that runs from a vertex.
 Vertex cell_left_of(const Vertex& from, Heading heading) {
   switch (heading) {
-    case east: return from;
-    case north: return {from.first - 1, from.second};
-    case west: return {from.first - 1, from.second - 1};
-    case south: return {from.first, from.second - 1};
+    case east:
+      return from;
+    case north:
+      return {from.first - 1, from.second};
+    case west:
+      return {from.first - 1, from.second - 1};
+    case south:
+      return {from.first, from.second - 1};
   }
   return from;
 }
@@ -72,7 +76,8 @@ class Tracer {
       for (const int turns : {1, 0, 3}) {
         Heading heading = side.heading;
         for (int i = 0; i < turns; ++i) heading = turned_left(heading);
-        if (left_.contains({at, heading}) || (heading == loop.front().heading && at == loop.front().from)) {
+        if (left_.contains({at, heading}) ||
+            (heading == loop.front().heading && at == loop.front().from)) {
           side = {at, heading};
           break;
         }
@@ -120,7 +125,8 @@ class Tracer {
     for (std::size_t i = 0; i < count; ++i) {
       const Side& side = loop[(begin + i) % loop.size()];
       const Vertex to = moved(side.from, side.heading);
-      const Vector2 middle((side.from.first + to.first) / 2.0, (side.from.second + to.second) / 2.0);
+      const Vector2 middle((side.from.first + to.first) / 2.0,
+                           (side.from.second + to.second) / 2.0);
       outline.places.push_back(transform(grid_.grid_in_world, grid_.resolution * middle));
     }
     outlines_.push_back(std::move(outline));

@@ -57,9 +57,8 @@ Square largest_free_square(const OccupancyGrid& grid) {
     for (int x = grid.width - 1; x >= 0; --x) {
       const auto at = static_cast<std::size_t>(x);
       const int up = above[at];
-      above[at] = grid.at(x, y) == CellState::free
-                      ? 1 + std::min({up, above[at + 1], diagonal})
-                      : 0;
+      above[at] =
+          grid.at(x, y) == CellState::free ? 1 + std::min({up, above[at + 1], diagonal}) : 0;
       diagonal = up;
       if (above[at] > largest.side) largest = {x, y, above[at]};
     }
@@ -91,8 +90,7 @@ void add_start_area(const OccupancyGrid& grid, FloorplanBuilder& builder) {
 Floorplan vectorize(const OccupancyGrid& grid, const VectorizeParameters& parameters) {
   FloorplanBuilder builder;
   const auto inset = [&](const Line& line) {
-    return parameters.surface == Surface::edge ? 0.0
-                                               : to_middle(grid, line, parameters.thickest);
+    return parameters.surface == Surface::edge ? 0.0 : to_middle(grid, line, parameters.thickest);
   };
   for (const Outline& outline : trace_outlines(grid, parameters.reach)) {
     const auto pieces = straighten(outline, parameters.tolerance * grid.resolution, inset);

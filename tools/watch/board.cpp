@@ -108,6 +108,21 @@ std::string nearest_line(const pico::proximity_t& proximity) {
                 too_close ? ", TOO CLOSE" : "");
 }
 
+std::string place_line(const pico::world_position_t& position) {
+  const std::string where =
+      format("%.2f %.2f m, %.0f deg", position.robot_in_world.x, position.robot_in_world.y,
+             position.robot_in_world.a * 180.0 / std::numbers::pi);
+  if (position.state == pico::world_position_t::TRACKING) {
+    const double sigma = std::sqrt(position.covariance[0] + position.covariance[4]);
+    return "place     tracking at " + where + format(", within %.3f m", sigma);
+  }
+  std::string line = position.state == pico::world_position_t::LOST ? "place     lost, searching"
+                                                                    : "place     searching";
+  if (position.guessed != 0) line += "; perhaps at " + where;
+  if (position.ambiguous != 0) line += format("; ambiguous among %d places", position.places);
+  return line;
+}
+
 }  // namespace
 
 void Board::take(const pico::status_t& status) {
@@ -124,6 +139,7 @@ std::vector<std::string> Board::lines() const {
   std::vector<std::string> lines;
   for (const Seen* seen : order) lines.push_back(component_line(seen->now, seen->before));
   if (map_) lines.push_back(map_line(to_model(*map_)));
+  if (position_) lines.push_back(place_line(*position_));
   if (entrance_) lines.push_back(entrance_line(*entrance_));
   if (proximity_) lines.push_back(nearest_line(*proximity_));
   return lines;

@@ -1,7 +1,8 @@
 /// @file pico-watch: one line a second for each component, and the state of the map. Also
 /// waits for components, or for a recording to have begun, so that scripts can start things in
 /// order.
-/// Channels: STATUS_*, IDENTIFIED_MAP, ENTRANCE, PROXIMITY. With --wait-log it sends LOG_PROBE.
+/// Channels: STATUS_*, IDENTIFIED_MAP, WORLD_POSITION, ENTRANCE, PROXIMITY. With --wait-log it
+/// sends LOG_PROBE.
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -107,6 +108,8 @@ int watch_bus(const WatchOptions& options) {
 
   bus.subscribe_command<pico::map_t>(channel::identified_map, 2,
                                      [&](const pico::map_t& m) { board.take(m); });
+  bus.subscribe_command<pico::world_position_t>(
+      channel::world_position, 2, [&](const pico::world_position_t& p) { board.take(p); });
   bus.subscribe_command<pico::entrance_t>(channel::entrance, 2,
                                           [&](const pico::entrance_t& e) { board.take(e); });
   bus.subscribe_command<pico::proximity_t>(channel::proximity, 2,

@@ -98,8 +98,7 @@ void CombinedScorer::score_doors(const Map& map, const Position& robot, double t
     const bool is_seen = to.norm() < parameters_.within && incidence > parameters_.min_incidence &&
                          std::abs(angle_difference(robot.a, bearing)) < parameters_.half_view &&
                          sim::cast_ray(robot.location(), bearing, obstacles) > to.norm() - kLeaf;
-    const double seen_for =
-        in_view_for(doors_, static_cast<std::size_t>(door.id), is_seen, time);
+    const double seen_for = in_view_for(doors_, static_cast<std::size_t>(door.id), is_seen, time);
     if (seen_for < parameters_.door_after) continue;
     score_.doors.add(door.reason == (doors_are_ == Doors::open ? "open" : "shut"));
   }
@@ -107,8 +106,7 @@ void CombinedScorer::score_doors(const Map& map, const Position& robot, double t
 
 std::vector<int> CombinedScorer::rays_on_boxes(const Position& robot) const {
   std::vector<sim::Obstacles> boxes;
-  for (const sim::Box& box : world_.boxes)
-    boxes.push_back({sim::edges(sim::outline(box)), {}, {}});
+  for (const sim::Box& box : world_.boxes) boxes.push_back({sim::edges(sim::outline(box)), {}, {}});
   const sim::Obstacles walls{world_.walls, {}, {}};
   std::vector<int> rays(boxes.size(), 0);
   for (int k = 0; k < parameters_.rays; ++k) {
@@ -138,8 +136,8 @@ void CombinedScorer::score_objects(const Map& map, const sim::Truth& truth, doub
     const auto stood_there = [&](const Stand& stand) {
       return distance(stand.place, middle_of(found.back())) < parameters_.person;
     };
-    const bool is_real = std::ranges::any_of(world_.boxes, explains) ||
-                         std::ranges::any_of(stands_, stood_there);
+    const bool is_real =
+        std::ranges::any_of(world_.boxes, explains) || std::ranges::any_of(stands_, stood_there);
     if (!is_real && false_ids_.insert(object.id).second) ++score_.false_objects;
   }
   const std::vector<int> rays = rays_on_boxes(truth.robot_in_world);

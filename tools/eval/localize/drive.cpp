@@ -92,9 +92,8 @@ class Driver {
       const Position step = relative(views_->back().robot_in_world, truth.robot_in_world);
       if (step.location().norm() < kViewDistance && std::abs(step.a) < kViewAngle) return;
     }
-    views_->push_back(
-        {truth.robot_in_world,
-         localize::choose_beams(beam_ends(to_model(scan), truth.twist), kBeams)});
+    views_->push_back({truth.robot_in_world,
+                       localize::choose_beams(beam_ends(to_model(scan), truth.twist), kBeams)});
   }
 
   template <class Message>
@@ -139,6 +138,7 @@ class Driver {
 
   /// Comes after the position of the same scan; of a claim that is wrong nothing is asked.
   void take_combined(Pipeline::Bytes payload) {
+    if (scorer_ == nullptr) return;
     pico::map_t message;
     message.decode(payload.data(), 0, static_cast<int>(payload.size()));
     if (message.part == 0) combined_ = {};

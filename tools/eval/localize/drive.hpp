@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/geometry/pose_estimate.hpp"
 #include "common/config/robot.hpp"
+#include "common/geometry/pose_estimate.hpp"
 #include "components/localize/beam_fit.hpp"
 #include "tools/eval/localize/combined_score.hpp"
 #include "tools/eval/localize/trial.hpp"
@@ -34,12 +34,12 @@ struct Drive {
   std::vector<Fix> after;       ///< kidnapped: the time is since then
   std::vector<TrueView> views;  ///< of the trial proper, from poses apart
   std::vector<TrueView> views_after;
-  CombinedScore combined;       ///< of the trial proper, while it was tracking rightly
+  CombinedScore combined;  ///< of the trial proper, while it was tracking rightly
 };
 
-/// `mounting`: what the robot's configuration says of the laser. `log`: gets every message of the drive; empty: none.
+/// `mounting`: what the robot's configuration says of the laser. `log`: gets every message of the
+/// drive; empty: none.
 Drive drive(const Trial& trial, const Site& site, const ProtocolParameters& parameters,
-            PipelineConfig config, const LaserMounting& mounting,
-            const std::filesystem::path& log);
+            PipelineConfig config, const LaserMounting& mounting, const std::filesystem::path& log);
 
 }  // namespace perceptor

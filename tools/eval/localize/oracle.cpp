@@ -19,8 +19,8 @@ void count(const localize::World& world, const Position& robot_in_world,
            double& explained, double& through, double& counted) {
   const Position turn{0.0, 0.0, robot_in_world.a};
   for (std::size_t i = 0; i < beams.size(); i += every) {
-    const localize::Met met = world.meet(transform(robot_in_world, beams[i].origin),
-                                         transform(turn, beams[i].direction));
+    const localize::Met met =
+        world.meet(transform(robot_in_world, beams[i].origin), transform(turn, beams[i].direction));
     const double range = beams[i].range;
     if (std::abs(range - met.face) < tolerance || std::abs(range - met.door) < tolerance)
       explained += 1.0;
@@ -33,7 +33,10 @@ class Oracle {
  public:
   Oracle(const localize::World& world, const std::vector<TrueView>& views,
          const OracleParameters& parameters)
-      : world_(world), views_(views), parameters_(parameters), start_(views.front().robot_in_world) {
+      : world_(world),
+        views_(views),
+        parameters_(parameters),
+        start_(views.front().robot_in_world) {
     truth_ = shares(start_);
   }
 

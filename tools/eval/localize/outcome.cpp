@@ -78,12 +78,11 @@ Outcome judge(const Drive& drive, const OutcomeParameters& parameters) {
   outcome.said_ambiguous =
       std::ranges::any_of(drive.fixes, [](const Fix& fix) { return fix.is_ambiguous; });
   if (outcome.found) outcome.error = tracking_error(drive.fixes, *outcome.found, parameters);
-  outcome.was_tracking = !drive.after.empty() && !drive.fixes.empty() &&
-                         is_right(drive.fixes.back(), parameters);
+  outcome.was_tracking =
+      !drive.after.empty() && !drive.fixes.empty() && is_right(drive.fixes.back(), parameters);
   if (!outcome.was_tracking) return outcome;
-  const auto noticed = std::ranges::find_if(drive.after, [&](const Fix& fix) {
-    return !fix.is_tracking || is_right(fix, parameters);
-  });
+  const auto noticed = std::ranges::find_if(
+      drive.after, [&](const Fix& fix) { return !fix.is_tracking || is_right(fix, parameters); });
   if (noticed != drive.after.end()) outcome.noticed = noticed->time;
   outcome.found_again = found(drive.after, parameters);
   return outcome;

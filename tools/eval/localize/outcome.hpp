@@ -9,11 +9,11 @@
 namespace perceptor {
 
 struct OutcomeParameters {
-  double distance = 0.1;           ///< [m] from the truth: found
-  double angle = 0.035;            ///< [rad] the same: 2 degrees
-  double held = 10.0;              ///< [s] so long
-  double false_after = 1.0;        ///< [s] tracking elsewhere for longer is a false claim
-  double settled = 1.0;            ///< [s] after being found errors count
+  double distance = 0.1;     ///< [m] from the truth: found
+  double angle = 0.035;      ///< [rad] the same: 2 degrees
+  double held = 10.0;        ///< [s] so long
+  double false_after = 1.0;  ///< [s] tracking elsewhere for longer is a false claim
+  double settled = 1.0;      ///< [s] after being found errors count
 };
 
 /// Squared errors while the robot was found.
@@ -33,7 +33,7 @@ struct Outcome {
   bool said_ambiguous = false;
   TrackingError error;
   CombinedScore combined;
-  bool was_tracking = false;  ///< when it was kidnapped: there is something to notice
+  bool was_tracking = false;          ///< when it was kidnapped: there is something to notice
   bool is_ambiguous_after = false;    ///< the same of where it was carried to
   std::optional<double> noticed;      ///< [s] after it was kidnapped
   std::optional<double> found_again;  ///< [s] the same

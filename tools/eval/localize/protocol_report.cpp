@@ -65,9 +65,7 @@ constexpr Error kErrors[] = {
     {"exact map, no clutter",
      [](const Conditions& c) { return c.displaced == 0.0 && c.clutter == 0.0; }},
     {"exact map, no clutter, sigma 0.01",
-     [](const Conditions& c) {
-       return c.displaced == 0.0 && c.clutter == 0.0 && c.sigma == 0.01;
-     }},
+     [](const Conditions& c) { return c.displaced == 0.0 && c.clutter == 0.0 && c.sigma == 0.01; }},
     {"displaced", [](const Conditions& c) { return c.displaced > 0.0; }}};
 
 struct Rms {
@@ -101,9 +99,12 @@ std::string formatted(const char* format, auto... values) {
 
 const char* name_of(Doors doors) {
   switch (doors) {
-    case Doors::open: return "open";
-    case Doors::flush: return "flush";
-    case Doors::recessed: return "recessed";
+    case Doors::open:
+      return "open";
+    case Doors::flush:
+      return "flush";
+    case Doors::recessed:
+      return "recessed";
   }
   return "";
 }
@@ -183,9 +184,10 @@ std::string report(const std::vector<JudgedTrial>& trials) {
                       100.0 * interval.high, line.at_least ? ">=" : "<=", 100.0 * line.asked);
   }
   const std::vector<double> times = easy_times(trials);
-  text += formatted("no clutter, doors open: found after                %4zu  median %.2f s, 95 %% "
-                    "within %.2f s (asked: 1, 5)\n",
-                    times.size(), quantile(times, 0.5), quantile(times, 0.95));
+  text += formatted(
+      "no clutter, doors open: found after                %4zu  median %.2f s, 95 %% "
+      "within %.2f s (asked: 1, 5)\n",
+      times.size(), quantile(times, 0.5), quantile(times, 0.95));
   for (const Error& error : kErrors) {
     const Rms e = rms(error, trials);
     text += formatted("tracking, %-36s  rms %.1f mm, %.3f deg, NEES %.2f (3)\n", error.name,
@@ -232,9 +234,8 @@ std::string report_json(const std::vector<JudgedTrial>& trials, std::uint64_t se
                              {line.at_least ? "at_least" : "at_most", line.asked}});
   }
   const std::vector<double> times = easy_times(trials);
-  json["easy"] = {{"trials", times.size()},
-                  {"median", quantile(times, 0.5)},
-                  {"p95", quantile(times, 0.95)}};
+  json["easy"] = {
+      {"trials", times.size()}, {"median", quantile(times, 0.5)}, {"p95", quantile(times, 0.95)}};
   for (const Error& error : kErrors) {
     const Rms e = rms(error, trials);
     json["tracking"].push_back({{"name", error.name},
@@ -244,12 +245,9 @@ std::string report_json(const std::vector<JudgedTrial>& trials, std::uint64_t se
                                 {"nees", e.nees}});
   }
   const CombinedScore found = combined(trials);
-  json["combined"] = {{"doors", found.doors.cases},
-                      {"doors_right", found.doors.hits},
-                      {"objects", found.objects.cases},
-                      {"objects_found", found.objects.hits},
-                      {"false_objects", found.false_objects},
-                      {"hours", found.time / 3600.0}};
+  json["combined"] = {{"doors", found.doors.cases},           {"doors_right", found.doors.hits},
+                      {"objects", found.objects.cases},       {"objects_found", found.objects.hits},
+                      {"false_objects", found.false_objects}, {"hours", found.time / 3600.0}};
   for (const JudgedTrial& trial : trials) json["trials"].push_back(json_of(trial));
   return json.dump(1) + "\n";
 }

@@ -72,8 +72,7 @@ class Displacement {
     Vector2 sum = Vector2::Zero();
     for (const int i : {0, 1})
       for (const int j : {0, 1})
-        sum += (i == 0 ? 1.0 - within.x() : within.x()) *
-               (j == 0 ? 1.0 - within.y() : within.y()) *
+        sum += (i == 0 ? 1.0 - within.x() : within.x()) * (j == 0 ? 1.0 - within.y() : within.y()) *
                value(static_cast<int>(cell.x()) + i, static_cast<int>(cell.y()) + j);
     return sum;
   }
@@ -83,7 +82,9 @@ class Displacement {
   static constexpr int kCells = 64;     // then it begins anew
 
   const Vector2& value(int i, int j) const {
-    const auto wrapped = [](int k) { return static_cast<std::size_t>(((k % kCells) + kCells) % kCells); };
+    const auto wrapped = [](int k) {
+      return static_cast<std::size_t>(((k % kCells) + kCells) % kCells);
+    };
     return lattice_[wrapped(i) * kCells + wrapped(j)];
   }
 
@@ -255,8 +256,8 @@ class Drawer {
   const ProtocolParameters& parameters_;
   const Conditions& conditions_;
   RoomRandom& random_;
-  std::vector<Segment> lines_;     ///< that stand there: walls, leaves, boxes
-  std::vector<Segment> closed_;    ///< walls, and openings as if they were shut
+  std::vector<Segment> lines_;               ///< that stand there: walls, leaves, boxes
+  std::vector<Segment> closed_;              ///< walls, and openings as if they were shut
   std::vector<localize::Doorway> doorways_;  ///< where they really are
 };
 
@@ -268,8 +269,8 @@ Trial draw_trial(const std::vector<Site>& sites, const sim::SimulatorParameters&
   while (true) {
     Trial trial;
     trial.number = number;
-    trial.site = static_cast<std::size_t>(
-        uniform_int(random, 0, static_cast<int>(sites.size()) - 1));
+    trial.site =
+        static_cast<std::size_t>(uniform_int(random, 0, static_cast<int>(sites.size()) - 1));
     trial.conditions = draw_conditions(parameters, random);
     trial.simulator = robot;
     trial.simulator.seed = static_cast<std::int64_t>(random() >> 1U);

@@ -30,12 +30,12 @@ struct Conditions {
 
 struct ProtocolParameters {
   std::uint64_t seed = 1;
-  double duration = 41.0;         ///< [s] 30 to be found in, 10 to be held
-  double after_kidnapping = 22.0; ///< [s] the same
-  double kidnapped = 0.25;        ///< share of the trials
-  double clearance = 0.36;        ///< [m] that the robot keeps from everything
-  double clutter_error = 0.05;    ///< of the share that is asked for
-  double recess = 0.08;           ///< [m] of a door that stands back
+  double duration = 41.0;          ///< [s] 30 to be found in, 10 to be held
+  double after_kidnapping = 22.0;  ///< [s] the same
+  double kidnapped = 0.25;         ///< share of the trials
+  double clearance = 0.36;         ///< [m] that the robot keeps from everything
+  double clutter_error = 0.05;     ///< of the share that is asked for
+  double recess = 0.08;            ///< [m] of a door that stands back
 };
 
 struct Trial {

@@ -85,6 +85,15 @@ TEST(World, OpeningsInBothFacesOfAWallAreOneDoorway) {
   EXPECT_EQ(World(map).doorways().size(), 1U) << "drawn as well";
 }
 
+TEST(World, WhereDoorsAreDrawnOtherGapsAreNone) {
+  Map map = rooms_with_thick_wall();
+  add_segment(map, {{5.0, 5.0}, {6.0, 5.0}}, ObjectType::door);
+  const World world(map);
+  ASSERT_EQ(world.doorways().size(), 1U);
+  EXPECT_EQ(world.doorways().front().opening.a, Vector2(5.0, 5.0));
+  EXPECT_FALSE(world.fronts().front().gaps.empty()) << "it may be shut all the same";
+}
+
 TEST(World, NicheIsNoDoorway) {
   Map map;
   add_wall(map, {{0.0, 2.0}, {1.0, 2.0}}, FreeSide::right);

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/recorded_data.hpp"
-#include "tools/temporary_folder.hpp"
 #include "tools/convert/conversion.hpp"
 #include "tools/logcheck/log_check.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
-#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

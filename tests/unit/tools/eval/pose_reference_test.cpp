@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
 #include "tools/eval/line_reader.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

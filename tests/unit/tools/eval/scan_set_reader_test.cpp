@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/eval/text_file.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

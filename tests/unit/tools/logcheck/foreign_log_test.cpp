@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/recorded_data.hpp"
-#include "tools/temporary_folder.hpp"
 #include "tools/logcheck/log_check.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

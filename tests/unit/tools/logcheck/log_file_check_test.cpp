@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 
 #include "common/log/event_log.hpp"
-#include "tools/temporary_folder.hpp"
 #include "tests/unit/tools/logcheck/fake_publisher.hpp"
 #include "tools/logcheck/log_check.hpp"
+#include "tools/temporary_folder.hpp"
 
 namespace perceptor {
 namespace {

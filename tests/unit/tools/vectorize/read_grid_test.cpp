@@ -21,7 +21,8 @@ class ReadGrid : public ::testing::Test {
 
   /// Two rows of three: the upper one black, grey, white.
   std::filesystem::path image() {
-    return write("map.pgm", std::string("P5\n3 2\n255\n") + '\x00' + '\xcd' + '\xfe' + "\xfe\xfe\xfe");
+    return write("map.pgm",
+                 std::string("P5\n3 2\n255\n") + '\x00' + '\xcd' + '\xfe' + "\xfe\xfe\xfe");
   }
 
   TemporaryFolder folder_;
@@ -40,10 +41,10 @@ TEST_F(ReadGrid, FirstRowOfTheImageIsTheHighest) {
 
 TEST_F(ReadGrid, MapServerSaysHowItIsMeant) {
   image();
-  const OccupancyGrid grid = read_map_server(
-      write("map.yaml",
-            "image: map.pgm\nresolution: 0.1\norigin: [1.0, -2.0, 0.5]\nnegate: 1\n"
-            "occupied_thresh: 0.65\nfree_thresh: 0.196\n"));
+  const OccupancyGrid grid =
+      read_map_server(write("map.yaml",
+                            "image: map.pgm\nresolution: 0.1\norigin: [1.0, -2.0, 0.5]\nnegate: 1\n"
+                            "occupied_thresh: 0.65\nfree_thresh: 0.196\n"));
   EXPECT_DOUBLE_EQ(grid.resolution, 0.1);
   EXPECT_EQ(grid.grid_in_world, (Position{1.0, -2.0, 0.5}));
   EXPECT_EQ(grid.at(0, 1), CellState::free);

@@ -21,9 +21,8 @@ OccupancyGrid painted(const std::vector<Segment>& lines, double half_thickness, 
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       const Vector2 middle = kCell * Vector2(x + 0.5, y + 0.5);
-      const bool is_near = std::ranges::any_of(lines, [&](const Segment& line) {
-        return distance(line, middle) <= half_thickness;
-      });
+      const bool is_near = std::ranges::any_of(
+          lines, [&](const Segment& line) { return distance(line, middle) <= half_thickness; });
       grid.cells.push_back(is_near ? CellState::occupied : CellState::free);
     }
   return grid;
@@ -50,8 +49,8 @@ TEST(Vectorize, RoomDrawnInCellsHasItsWalls) {
 TEST(Vectorize, SlantedWallIsStraight) {
   const Segment line{{0.7, 0.9}, {3.2, 1.9}};
   const Floorplan plan = vectorize(painted({line}, 0.06));
-  const auto longest =
-      std::ranges::max_element(plan.walls, {}, [&](const auto& e) { return length(plan.segment(e)); });
+  const auto longest = std::ranges::max_element(
+      plan.walls, {}, [&](const auto& e) { return length(plan.segment(e)); });
   const Segment wall = plan.segment(*longest);
   EXPECT_NEAR(smallest_relative_angle(wall, line), 0.0, 0.02);
   EXPECT_NEAR(distance(line, middle(wall)), 0.06, kCell);

@@ -29,7 +29,8 @@ class CombinedScoreTest : public ::testing::Test {
     return map;
   }
 
-  CombinedScore score(const Map& map, Doors doors, const std::vector<sim::MoverState>& people = {}) {
+  CombinedScore score(const Map& map, Doors doors,
+                      const std::vector<sim::MoverState>& people = {}) {
     CombinedScorer scorer(world_, doors, {});
     sim::Truth truth;
     truth.movers = people;
