@@ -3,6 +3,7 @@
 
 #include "common/floorplan/floorplan.hpp"
 #include "common/global_map/global_map.hpp"
+#include "components/localize/combined_map.hpp"
 #include "components/localize/localizer.hpp"
 #include "tests/support/scene.hpp"
 
@@ -58,6 +59,20 @@ void LocalizeTrack(benchmark::State& state) {
   state.counters["tracking"] = is_tracking ? 1.0 : 0.0;
 }
 BENCHMARK(LocalizeTrack);
+
+/// The combined map takes a scan in.
+void LocalizeCombine(benchmark::State& state) {
+  const Map building = hospital();
+  Turning robot(building);
+  const localize::World world(building);
+  localize::CombinedMap combined(world, building, {}, {});
+  const localize::Sight sight = robot.at(3.0);
+  const PoseEstimate pose{sight.robot_in_local, 1e-6 * Eigen::Matrix3d::Identity()};
+  std::int64_t utime = sight.utime;
+  for (auto _ : state) combined.add(pose, sight.ends, utime += kScanPeriod);
+  state.counters["walls"] = static_cast<double>(world.faces().size());
+}
+BENCHMARK(LocalizeCombine);
 
 void LocalizeSearch(benchmark::State& state) {
   const Map building = hospital();
