@@ -7,16 +7,11 @@
 #include <nlohmann/json.hpp>
 
 namespace perceptor {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-double to_millimetres(double value) {
-  const double millimetres = std::round(value * 1000.0);
-  return millimetres == 0.0 ? 0.0 : millimetres / 1000.0;  // no minus zero
+double to_millimetres(double metres) {
+  const double millimetres = std::round(metres * 1000.0);
+  return millimetres == 0.0 ? 0.0 : millimetres / 1000.0;
 }
-
-}  // namespace
 
 std::vector<Floorplan::Edge> FloorplanBuilder::edges(const std::vector<Segment>& segments) {
   std::vector<Floorplan::Edge> edges;
@@ -35,6 +30,7 @@ int FloorplanBuilder::point(const Vector2& location) {
 void write_floorplan(const Floorplan& plan, const std::string& comment,
                      const std::filesystem::path& file) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  using Json = nlohmann::ordered_json;
   std::ofstream out(file);
   const auto write_list = [&](const char* key, const auto& items, const char* end) {
     out << "  \"" << key << "\": [";

@@ -5,10 +5,14 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/floorplan/floorplan.hpp"
 
 namespace perceptor {
+
+/// As map files hold them: rounded, and never minus zero.
+double to_millimetres(double metres);
 
 /// Collects lines; points to the millimetre, each once: lines that meet share theirs.
 class FloorplanBuilder {

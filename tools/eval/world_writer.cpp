@@ -14,18 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rounded(double value) {
-  const double millimetres = std::round(value * 1000.0);
-  return millimetres == 0.0 ? 0.0 : millimetres / 1000.0;  // no minus zero
-}
-
 Json place(const Vector2& location) {
-  return {{"x", rounded(location.x())}, {"y", rounded(location.y())}};
+  return {{"x", to_millimetres(location.x())}, {"y", to_millimetres(location.y())}};
 }
 
 Json pose(const Position& pose) {
   Json json = place(pose.location());
-  json["a"] = rounded(pose.a);
+  json["a"] = to_millimetres(pose.a);
   return json;
 }
 
@@ -41,8 +36,8 @@ Json boxes_of(const RandomWorld& world) {
   Json boxes = Json::array();
   for (const Furniture& furniture : world.boxes) {
     Json box = pose(furniture.in_world);
-    box["length"] = rounded(furniture.length);
-    box["width"] = rounded(furniture.width);
+    box["length"] = to_millimetres(furniture.length);
+    box["width"] = to_millimetres(furniture.width);
     boxes.push_back(box);
   }
   return boxes;
@@ -52,7 +47,7 @@ Json people_of(const RandomWorld& world) {
   Json people = Json::array();
   for (const Walker& walker : world.people)
     people.push_back({{"path", {place(walker.path.a), place(walker.path.b)}},
-                      {"speed", rounded(walker.speed)},
+                      {"speed", to_millimetres(walker.speed)},
                       {"waits_within", kWaitsWithin}});
   return people;
 }
@@ -61,7 +56,7 @@ Json tour_of(const RandomWorld& world) {
   Json tour = Json::array();
   for (const TourStop& stop : world.tour) {
     Json point = place(stop.location);
-    if (stop.turn != 0.0) point["turn"] = rounded(stop.turn);
+    if (stop.turn != 0.0) point["turn"] = to_millimetres(stop.turn);
     tour.push_back(point);
   }
   return tour;
@@ -78,8 +73,8 @@ Json world_of(const RandomWorld& world, const RandomWorldParameters& parameters,
           {"odometry",
            {{"start_in_odometry", pose(world.start_in_odometry)},
             {"slip_scale", parameters.slip},
-            {"slip_walk", rounded(kWalkShare * parameters.slip)},
-            {"slip_turn_walk", rounded(kWalkShare * parameters.slip)}}},
+            {"slip_walk", to_millimetres(kWalkShare * parameters.slip)},
+            {"slip_turn_walk", to_millimetres(kWalkShare * parameters.slip)}}},
           {"laser", {{"noise_sigma", parameters.sigma}, {"outliers", parameters.outliers}}},
           {"boxes", boxes_of(world)},
           {"people", people_of(world)},
