@@ -15,6 +15,7 @@ double to_millimetres(double metres) {
 
 std::vector<Floorplan::Edge> FloorplanBuilder::edges(const std::vector<Segment>& segments) {
   std::vector<Floorplan::Edge> edges;
+  edges.reserve(segments.size());
   for (const Segment& segment : segments) edges.push_back(edge(segment));
   return edges;
 }

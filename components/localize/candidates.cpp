@@ -134,9 +134,11 @@ class Finder {
     const double turn = wrap_angle(turn_between(wall, front.line));
     const Vector2 turned = perceptor::transform({0.0, 0.0, turn}, wall.middle);
     const double reach = wall.length / 2.0;
-    const double end = front.pieces.back().to + reach;
-    for (double at = front.pieces.front().from - reach; at <= end; at += parameters_.slide) {
-      const Vector2 place = point_at(front.line, at) - turned;
+    const double begin = front.pieces.front().from - reach;
+    const double way = front.pieces.back().to + reach - begin;
+    const auto steps = static_cast<int>(way / parameters_.slide);
+    for (int i = 0; i <= steps; ++i) {
+      const Vector2 place = point_at(front.line, begin + i * parameters_.slide) - turned;
       const Position pose{place.x(), place.y(), turn};
       if (lies_on(wall, front, pose)) add(pose);
     }

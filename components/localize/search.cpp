@@ -29,7 +29,7 @@ Hypothesis judge(const World& world, const Position& local_in_world,
 /// Some beams of the first and the last keyframe: enough to choose by.
 std::vector<Keyframe> glances_of(const std::vector<Keyframe>& keyframes,
                                  const SearchParameters& parameters) {
-  const std::size_t every = static_cast<std::size_t>(parameters.glance_every);
+  const auto every = static_cast<std::size_t>(parameters.glance_every);
   std::vector<Keyframe> glances;
   for (const Keyframe* keyframe : {&keyframes.front(), &keyframes.back()}) {
     glances.push_back({keyframe->robot_in_local, {}, keyframe->way});
@@ -55,6 +55,7 @@ std::vector<Position> most_likely(const World& world, const std::vector<Candidat
                                   const std::vector<Keyframe>& glances,
                                   const SearchParameters& parameters) {
   std::vector<std::pair<double, Position>> rated;
+  rated.reserve(candidates.size());
   BeamFitParameters coarse = parameters.beams;
   coarse.sigma = parameters.glance_sigma;
   for (const Candidate& candidate : candidates)
@@ -74,7 +75,8 @@ Position climb(const World& world, const Position& local_in_world,
   Position robot_in_world = compose(local_in_world, robot_in_local);
   const auto local = [&](const Position& robot) { return compose(robot, inverse(robot_in_local)); };
   double best = glance(world, local_in_world, glances, parameters.beams);
-  for (double step = parameters.climb; step >= parameters.climb_end; step /= 2.0) {
+  double step = parameters.climb;
+  while (step >= parameters.climb_end) {
     for (const Position& move :
          {Position{step, 0.0, 0.0}, Position{-step, 0.0, 0.0}, Position{0.0, step, 0.0},
           Position{0.0, -step, 0.0}, Position{0.0, 0.0, step}, Position{0.0, 0.0, -step}}) {
@@ -84,6 +86,7 @@ Position climb(const World& world, const Position& local_in_world,
       best = rated;
       robot_in_world = next;
     }
+    step /= 2.0;
   }
   return local(robot_in_world);
 }

@@ -57,6 +57,7 @@ void UnknownObjects::pass(const std::vector<WorldBeam>& beams) {
     return std::atan2(cross(ahead, to), ahead.dot(to));
   };
   std::vector<double> bearings;
+  bearings.reserve(beams.size());
   for (const WorldBeam& beam : beams) bearings.push_back(bearing(beam.direction));
   for (auto& [key, cell] : cells_) {
     const Vector2 to = cell.mean - beams.front().origin;

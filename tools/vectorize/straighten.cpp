@@ -68,7 +68,7 @@ Vector2 corner_of(const Line& p, const Line& q, const Vector2& found, double rea
   const double sine = cross(p.along, q.along);
   if (std::abs(sine) > 0.1) {
     const double along = cross(q.middle - p.middle, q.along) / sine;
-    const Vector2 meet = p.middle + along * p.along;
+    Vector2 meet = p.middle + along * p.along;
     if (distance(meet, found) < reach) return meet;
   }
   return (dropped_on(p, found) + dropped_on(q, found)) / 2.0;

@@ -101,6 +101,7 @@ class Tracer {
     constexpr std::size_t kBridged = 2;
     const std::size_t n = loop.size();
     std::vector<bool> faces;
+    faces.reserve(n);
     for (const Side& side : loop) faces.push_back(faces_free_space(side));
     std::size_t start = 0;
     while (start < n && faces[start]) ++start;

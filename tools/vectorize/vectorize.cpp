@@ -23,11 +23,11 @@ double depth_behind(const OccupancyGrid& grid, const Vector2& place, const Vecto
                     double most) {
   const double step = grid.resolution / 4.0;
   const Position world_in_grid = inverse(grid.grid_in_world);
-  for (double depth = step; depth <= most; depth += step) {
-    const Vector2 at = transform(world_in_grid, place + depth * inward) / grid.resolution;
+  for (int i = 1; i * step <= most; ++i) {
+    const Vector2 at = transform(world_in_grid, place + i * step * inward) / grid.resolution;
     const auto x = static_cast<int>(std::floor(at.x()));
     const auto y = static_cast<int>(std::floor(at.y()));
-    if (grid.at(x, y) != CellState::occupied) return depth - step;
+    if (grid.at(x, y) != CellState::occupied) return (i - 1) * step;
   }
   return most;
 }
@@ -35,8 +35,11 @@ double depth_behind(const OccupancyGrid& grid, const Vector2& place, const Vecto
 /// [m] from a line along an outline to the middle of the band behind it.
 double to_middle(const OccupancyGrid& grid, const Line& line, double thickest) {
   std::vector<double> depths;
-  for (double at = -line.length / 2.0; at <= line.length / 2.0; at += grid.resolution)
-    depths.push_back(depth_behind(grid, point_at(line, at), -line.normal, thickest));
+  const auto samples = static_cast<int>(line.length / grid.resolution);
+  for (int i = 0; i <= samples; ++i) {
+    const Vector2 place = point_at(line, i * grid.resolution - line.length / 2.0);
+    depths.push_back(depth_behind(grid, place, -line.normal, thickest));
+  }
   const auto half = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
   std::nth_element(depths.begin(), half, depths.end());
   return *half < thickest ? *half / 2.0 : 0.0;

@@ -47,10 +47,13 @@ class Oracle {
       low = low.cwiseMin(face.segment.a);
       high = high.cwiseMax(face.segment.a);
     }
+    const auto columns = static_cast<int>(std::ceil((high.x() - low.x()) / parameters_.step));
+    const auto rows = static_cast<int>(std::ceil((high.y() - low.y()) / parameters_.step));
     for (const double turn : turns())
-      for (double x = low.x(); x < high.x(); x += parameters_.step)
-        for (double y = low.y(); y < high.y(); y += parameters_.step) {
-          const Position place{x, y, wrap_angle(start_.a + turn)};
+      for (int i = 0; i < columns; ++i)
+        for (int j = 0; j < rows; ++j) {
+          const Position place{low.x() + i * parameters_.step, low.y() + j * parameters_.step,
+                               wrap_angle(start_.a + turn)};
           if (!is_here(place) && is_worth_it(place))
             if (const auto found = refined(place)) return found;
         }
@@ -110,7 +113,9 @@ class Oracle {
     };
     double best = rate(place);
     if (best < truth_.explained - truth_.through - 0.3) return std::nullopt;
-    for (double step = parameters_.step / 2.0; step > 0.01; step /= 2.0) {
+    constexpr double kLeastStep = 0.01;
+    double step = parameters_.step / 2.0;
+    while (step > kLeastStep) {
       bool is_better = true;
       while (is_better) {
         is_better = false;
@@ -127,6 +132,7 @@ class Oracle {
           break;
         }
       }
+      step /= 2.0;
     }
     const Shares there = shares(place);
     const bool is_as_good = there.explained >= truth_.explained - parameters_.fewer &&

@@ -78,12 +78,13 @@ class Displacement {
   }
 
  private:
-  static constexpr double kCell = 1.0;  // [m]
-  static constexpr int kCells = 64;     // then it begins anew
+  static constexpr double kCell = 1.0;       // [m]
+  static constexpr std::size_t kCells = 64;  // then it begins anew
 
   const Vector2& value(int i, int j) const {
     const auto wrapped = [](int k) {
-      return static_cast<std::size_t>(((k % kCells) + kCells) % kCells);
+      constexpr auto n = static_cast<int>(kCells);
+      return static_cast<std::size_t>(((k % n) + n) % n);
     };
     return lattice_[wrapped(i) * kCells + wrapped(j)];
   }
