@@ -69,7 +69,7 @@ void Bus::publish_recorded(const std::string& channel, Bytes payload) {
 }
 
 void Bus::publish_status(std::int64_t utime, bool last) {
-  const auto payload = detail::encode(status_.message(utime, last));
+  const auto payload = messages::encode(status_.message(utime, last));
   output_.publish(status_.channel(), payload.data(), static_cast<unsigned>(payload.size()));
 }
 

@@ -14,6 +14,7 @@
 #include <lcm/lcm-cpp.hpp>
 
 #include "common/bus/status.hpp"
+#include "common/messages/encode.hpp"
 #include "common/messages/schema.hpp"
 #include "common/messages/validate.hpp"
 #include "common/time/continuity.hpp"
@@ -93,13 +94,6 @@ std::string_view decode(Bus::Bytes bytes, Message& message) {
   return messages::validate(message);
 }
 
-template <class Message>
-std::vector<std::uint8_t> encode(const Message& message) {
-  std::vector<std::uint8_t> payload(static_cast<std::size_t>(message.getEncodedSize()));
-  message.encode(payload.data(), 0, static_cast<int>(payload.size()));
-  return payload;
-}
-
 /// Empty where the message goes on.
 std::string_view order_fault(Continuity continuity);
 
@@ -139,7 +133,7 @@ void Bus::subscribe_command(const std::string& channel, int capacity,
 
 template <class Message>
 void Bus::publish(const std::string& channel, const Message& message) {
-  send(channel, detail::encode(message), stamp_of(message));
+  send(channel, messages::encode(message), stamp_of(message));
 }
 
 }  // namespace perceptor

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "common/geometry/segment.hpp"
-
 namespace perceptor {
 namespace {
 
@@ -34,6 +32,14 @@ bool is_beside(const std::vector<Vector2>& polygon, const Vector2& point) {
 }
 
 }  // namespace
+
+std::vector<Segment> edges(const std::vector<Vector2>& polygon) {
+  std::vector<Segment> edges;
+  edges.reserve(polygon.size());
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    edges.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  return edges;
+}
 
 bool contains(const std::vector<Vector2>& polygon, const Vector2& point) {
   if (polygon.size() < 3 || !point.allFinite()) return false;

@@ -3,9 +3,12 @@
 
 #include <vector>
 
-#include "common/geometry/vector2.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace perceptor {
+
+/// The sides in order; the last corner joins the first.
+std::vector<Segment> edges(const std::vector<Vector2>& polygon);
 
 /// Whether the point lies inside the outline, or within a nanometre of its edge, which makes
 /// the edge itself count as inside. The corners go round either way; the last joins the first.

@@ -79,6 +79,14 @@ double distance(const Segment& s, const Vector2& point) {
   return distance(Vector2(s.a + nearest * along), point);
 }
 
+double distance(const Segment& s, const Segment& t) {
+  const auto parts = [](const Segment& line, const Segment& other) {
+    return signed_distance(line, other.a) * signed_distance(line, other.b) < 0.0;
+  };
+  if (parts(s, t) && parts(t, s)) return 0.0;
+  return std::min({distance(s, t.a), distance(s, t.b), distance(t, s.a), distance(t, s.b)});
+}
+
 Segment transform(const Position& b_in_a, const Segment& segment_in_b) {
   return {transform(b_in_a, segment_in_b.a), transform(b_in_a, segment_in_b.b)};
 }

@@ -54,6 +54,9 @@ std::array<double, 2> projected_interval(const Segment& s, const Segment& t);
 /// Distance of a point from the segment itself, ends included.
 double distance(const Segment& s, const Vector2& point);
 
+/// Distance [m] between the nearest points of two segments; 0 where they cross.
+double distance(const Segment& s, const Segment& t);
+
 /// A segment of frame b, seen from a.
 Segment transform(const Position& b_in_a, const Segment& segment_in_b);
 

@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "common/geometry/polygon.hpp"
+
 namespace perceptor {
 namespace {
 
@@ -174,6 +176,21 @@ Segment segment(const Map& map, const Object& object) {
 }
 
 Segment segment(const Map& map, Index object) { return segment(map, at(map.objects, object)); }
+
+std::vector<Vector2> corners(const Map& map, const Object& object) {
+  std::vector<Vector2> corners;
+  corners.reserve(object.points.size());
+  for (const Index point : object.points)
+    corners.push_back(map.points[static_cast<std::size_t>(point)].location);
+  return corners;
+}
+
+std::vector<Segment> edges(const Map& map, const Object& object) {
+  std::vector<Segment> all = edges(corners(map, object));
+  const bool is_round = object.connection == Connection::closed && all.size() > 2;
+  if (!is_round && !all.empty()) all.pop_back();
+  return all;
+}
 
 void set_segment(Map& map, Index object, const Segment& segment) {
   const Object& moved = at(map.objects, object);

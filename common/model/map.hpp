@@ -102,6 +102,12 @@ Index add_segment(Map& map, const Segment& segment, ObjectType type, std::string
 Segment segment(const Map& map, const Object& object);
 Segment segment(const Map& map, Index object);
 
+/// Where an object's points are, in order [m].
+std::vector<Vector2> corners(const Map& map, const Object& object);
+
+/// The straight pieces of an object in order, the closing one of a closed one included.
+std::vector<Segment> edges(const Map& map, const Object& object);
+
 /// Moves the ends of a two-point object. Throws NotASegment as above.
 void set_segment(Map& map, Index object, const Segment& segment);
 

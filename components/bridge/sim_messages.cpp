@@ -107,7 +107,7 @@ std::vector<pico::map_t> to_messages(const sim::World& world,
     parts.add(door.opening, ObjectType::door, "door").reason =
         door.open_ratio > kOpenRatio ? "open" : "shut";
   for (const sim::Box& box : world.boxes)
-    for (const Segment& edge : sim::edges(sim::outline(box)))
+    for (const Segment& edge : edges(sim::outline(box)))
       parts.add(edge, ObjectType::static_obstacle, "box");
   return parts.messages();
 }

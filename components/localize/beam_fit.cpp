@@ -61,7 +61,7 @@ BeamFit fit_beams(const World& world, const Position& robot_in_world,
                   const std::vector<Beam>& beams, const BeamFitParameters& parameters) {
   BeamFit fit;
   if (beams.empty()) return fit;
-  const double near = 3.0 * parameters.sigma;
+  const double near = kHitSigmas * parameters.sigma;
   const double cosine = std::cos(robot_in_world.a);
   const double sine = std::sin(robot_in_world.a);
   const auto rotated = [&](const Vector2& v) {

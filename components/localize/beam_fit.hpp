@@ -31,6 +31,9 @@ struct BeamFitParameters {
   double max_range = 10.0;  ///< [m] of the beams that measure anything
 };
 
+/// Within so many sigmas a beam ends where the map says.
+inline constexpr double kHitSigmas = 3.0;
+
 struct BeamFit {
   double log_likelihood = 0.0;
   double explained = 0.0;  ///< share of the beams that end where the map says

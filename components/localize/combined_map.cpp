@@ -16,14 +16,6 @@ constexpr std::int32_t kObjectIds = 200'000;
 
 double square(double value) { return value * value; }
 
-/// Which faces of the world an object of the global map gave, in order; how many it has.
-std::size_t face_count(const Object& object) {
-  if (object.type == ObjectType::wall && object.points.size() == 2)
-    return object.free_side == FreeSide::unknown ? 2 : 1;
-  if (object.type == ObjectType::cabinet && object.points.size() > 2) return object.points.size();
-  return 0;
-}
-
 Object obstacle(Map& map, const UnknownObject& seen) {
   Object object;
   object.id = kObjectIds + seen.id;
@@ -53,19 +45,14 @@ CombinedMap::CombinedMap(const World& world, Map global_map, const BeamFitParame
       global_map_(std::move(global_map)),
       fit_(fit),
       parameters_(parameters),
-      faces_(world.faces().size()),
+      objects_on_map_(global_map_.objects.size()),
       doors_(world.doorways().size()),
       objects_(parameters.objects) {
-  // The drawn doors are among the doorways.
-  for (Object& object : global_map_.objects) {
-    object.remove = object.type == ObjectType::door;
-    object.is_new = false;
-  }
-  remove_objects(global_map_);
+  set_objects_old(global_map_);
 }
 
 void CombinedMap::clear() {
-  faces_.assign(faces_.size(), {});
+  objects_on_map_.assign(objects_on_map_.size(), {});
   doors_.assign(doors_.size(), {});
   objects_.clear();
   checked_.reset();
@@ -80,7 +67,7 @@ void CombinedMap::add(const PoseEstimate& robot_in_world, const std::vector<Beam
   for (const Beam& beam : choose_beams(ends, parameters_.beams)) {
     const WorldBeam seen{transform(robot_in_world.pose, beam.origin),
                          transform(turn, beam.direction), beam.range};
-    const auto met = world_.meet_face(seen.origin, seen.direction);
+    const RayHit met = world_.meet_face(seen.origin, seen.direction);
     watch_face(seen, met, utime);
     bool ends_in_door = false;
     for (std::size_t i = 0; i < doors_.size(); ++i)
@@ -127,13 +114,12 @@ bool CombinedMap::fits_best(const Position& robot_in_world, const std::vector<Be
                               is_better);
 }
 
-void CombinedMap::watch_face(const WorldBeam& beam, const std::optional<MetFace>& met,
-                             std::int64_t utime) {
-  if (!met) return;
-  const Face& face = world_.faces()[met->face];
+void CombinedMap::watch_face(const WorldBeam& beam, const RayHit& met, std::int64_t utime) {
+  if (std::isinf(met.distance)) return;
+  const Face& face = world_.faces()[met.line];
   if (std::abs(beam.direction.dot(face.line.normal)) < parameters_.min_incidence) return;
-  Presence& presence = faces_[met->face];
-  const double beyond = beam.range - met->distance;
+  Presence& presence = objects_on_map_[face.object];
+  const double beyond = beam.range - met.distance;
   if (std::abs(beyond) < parameters_.tolerance)
     presence.balance = std::min(parameters_.most_wall, presence.balance + 1.0);
   else if (beyond > parameters_.through)
@@ -180,9 +166,9 @@ void CombinedMap::decide(DoorState& door, std::int64_t utime) const {
   door.last_seen = utime;
 }
 
-bool CombinedMap::is_unknown(const WorldBeam& beam, const std::optional<MetFace>& met) const {
+bool CombinedMap::is_unknown(const WorldBeam& beam, const RayHit& met) const {
   if (beam.range > parameters_.max_range) return false;
-  if (!met || beam.range > met->distance - parameters_.tolerance) return false;
+  if (std::isinf(met.distance) || beam.range > met.distance - parameters_.tolerance) return false;
   const Vector2 end = beam.origin + beam.range * beam.direction;
   const auto is_near = [&](const Face& face) {
     return distance(face.segment, end) < parameters_.tolerance;
@@ -200,18 +186,13 @@ void CombinedMap::describe_wall(Object& wall, const Presence& presence) const {
 
 Map CombinedMap::map(std::int64_t utime) {
   Map map = global_map_;
-  std::size_t face = 0;
-  for (Object& object : map.objects) {
-    const std::size_t faces = face_count(object);
-    if (faces == 0) continue;
-    Presence all;
-    for (std::size_t i = 0; i < faces; ++i) {
-      all.balance += faces_[face + i].balance;
-      all.last_seen = std::max(all.last_seen, faces_[face + i].last_seen);
-    }
-    face += faces;
-    describe_wall(object, all);
+  for (std::size_t i = 0; i < map.objects.size(); ++i) {
+    Object& object = map.objects[i];
+    if (object.type == ObjectType::wall || object.type == ObjectType::cabinet)
+      describe_wall(object, objects_on_map_[i]);
+    object.remove = object.type == ObjectType::door;  // drawn ones are among the doorways
   }
+  remove_objects(map);
   for (std::size_t i = 0; i < doors_.size(); ++i) {
     const auto number = static_cast<std::int32_t>(i);
     const Index index = add_segment(map, world_.doorways()[i].opening, ObjectType::door,

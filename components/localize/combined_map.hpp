@@ -73,18 +73,18 @@ class CombinedMap {
   bool is_trusted(const PoseEstimate& robot_in_world, const std::vector<BeamEnd>& ends,
                   std::int64_t utime);
   bool fits_best(const Position& robot_in_world, const std::vector<Beam>& beams) const;
-  void watch_face(const WorldBeam& beam, const std::optional<MetFace>& met, std::int64_t utime);
+  void watch_face(const WorldBeam& beam, const RayHit& met, std::int64_t utime);
   bool watch_door(const WorldBeam& beam, std::size_t doorway, std::int64_t utime);
   void decide(DoorState& door, std::int64_t utime) const;
-  bool is_unknown(const WorldBeam& beam, const std::optional<MetFace>& met) const;
+  bool is_unknown(const WorldBeam& beam, const RayHit& met) const;
   void describe_wall(Object& wall, const Presence& presence) const;
 
   const World& world_;
   Map global_map_;
   BeamFitParameters fit_;
   CombinedMapParameters parameters_;
-  std::vector<Presence> faces_;   ///< as in World::faces
-  std::vector<DoorState> doors_;  ///< as in World::doorways
+  std::vector<Presence> objects_on_map_;  ///< as in the global map
+  std::vector<DoorState> doors_;          ///< as in World::doorways
   UnknownObjects objects_;
   bool trusted_ = false;
   std::optional<std::int64_t> checked_;  ///< [us]

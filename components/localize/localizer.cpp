@@ -31,7 +31,6 @@ int count_leads(const Hypothesis& best, const Hypothesis& second) {
 
 void Localizer::clear() {
   lose(0);
-  forget_map_error();
   state_ = State::searching;
 }
 
@@ -86,15 +85,17 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   PoseEstimate estimate = predict(tracked_->robot_in_world, motion, seconds, parameters_.motion);
   PoseEstimate published = estimate;
   const std::vector<LocalWall> walls = local_walls(sight.walls, sight.utime);
+  double map_variance = tracked_->map_variance;
   AlignmentParameters tracking = parameters_.tracking;
-  tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(map_variance_));
+  tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(map_variance));
   if (const auto alignment = align(world_, walls, estimate, true, tracking)) {
-    learn_map_error(*alignment, seconds);
+    const double share = 1.0 - std::exp(-seconds / parameters_.map_time);
+    if (alignment->map_variance) map_variance += share * (*alignment->map_variance - map_variance);
     estimate = alignment->frame_in_world;
     published = estimate;
     published.covariance += alignment->map_covariance;
   }
-  tracked_ = Tracked{estimate, sight.robot_in_local, sight.utime};
+  tracked_ = Tracked{estimate, sight.robot_in_local, sight.utime, map_variance};
   position.robot_in_world = published;
 
   const BeamFit fit = fit_beams(world_, estimate.pose, beams, parameters_.search.beams);
@@ -106,14 +107,6 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   if (is_bad && !bad_since_) bad_since_ = sight.utime;
   if (is_bad && seconds_between(*bad_since_, sight.utime) >= parameters_.watch.time)
     lose(sight.utime);
-}
-
-void Localizer::forget_map_error() { map_variance_ = square(parameters_.tracking.map_sigma); }
-
-void Localizer::learn_map_error(const Alignment& alignment, double seconds) {
-  if (!alignment.map_variance) return;
-  const double share = 1.0 - std::exp(-seconds / parameters_.map_time);
-  map_variance_ += share * (*alignment.map_variance - map_variance_);
 }
 
 bool Localizer::is_time_to_ask(std::int64_t utime) const {
@@ -140,16 +133,16 @@ void Localizer::take_answer(const Sight& sight) {
   if (!answer_.valid()) return;
   if (seconds_between(asked_, sight.utime) < parameters_.search_time) return;
   places_ = answer_.get();
-  if (tracked_ && !still_wins(sight)) {
-    state_ = State::lost;
-    tracked_.reset();
+  if (tracked_) {
+    // What is right now is told by the next answer: that this was wrong has to be seen.
+    if (!still_wins(sight)) take_claim_back();
+    return;
   }
-  if (!tracked_ && !fits_together()) forget_older_half();
-  if (!tracked_ && is_claimed()) {
-    state_ = State::tracking;
-    tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
-                       sight.robot_in_local, sight.utime};
-  }
+  if (!fits_together()) forget_older_half();
+  if (!is_claimed()) return;
+  state_ = State::tracking;
+  tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
+                     sight.robot_in_local, sight.utime, square(parameters_.tracking.map_sigma)};
 }
 
 /// Nowhere do all keyframes fit: the robot was carried away between them.
@@ -206,9 +199,13 @@ void Localizer::guess(const Sight& sight, WorldPosition& position) const {
   position.through = places_.front().through;
 }
 
-void Localizer::lose(std::int64_t utime) {
+void Localizer::take_claim_back() {
   state_ = State::lost;
   tracked_.reset();
+}
+
+void Localizer::lose(std::int64_t utime) {
+  take_claim_back();
   keyframes_.clear();
   places_.clear();
   answer_ = {};

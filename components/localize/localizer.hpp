@@ -90,9 +90,7 @@ struct WorldPosition {
 class Localizer {
  public:
   Localizer(World world, const LocalizerParameters& parameters)
-      : world_(std::move(world)), parameters_(parameters) {
-    forget_map_error();
-  }
+      : world_(std::move(world)), parameters_(parameters) {}
 
   // A search that runs beside looks at this object.
   Localizer(const Localizer&) = delete;
@@ -109,6 +107,7 @@ class Localizer {
     PoseEstimate robot_in_world;
     Position robot_in_local;
     std::int64_t utime = 0;
+    double map_variance = 0.0;  ///< [m^2] how far the walls stand off the map
   };
 
   bool keep_keyframe(const Sight& sight, const std::vector<Beam>& beams);
@@ -122,9 +121,8 @@ class Localizer {
   bool is_ambiguous() const;
   bool still_wins(const Sight& sight) const;
   void track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position);
-  void forget_map_error();
-  void learn_map_error(const Alignment& alignment, double seconds);
   void guess(const Sight& sight, WorldPosition& position) const;
+  void take_claim_back();
   void lose(std::int64_t utime);
 
   World world_;
@@ -132,7 +130,6 @@ class Localizer {
   State state_ = State::searching;
   std::vector<Keyframe> keyframes_;
   std::optional<Tracked> tracked_;
-  double map_variance_ = 0.0;  ///< [m^2] how far the walls stand off the map
   std::future<std::vector<Hypothesis>> answer_;
   std::int64_t asked_ = 0;                 ///< [us] utime of the scan that asked
   std::vector<Hypothesis> places_;         ///< the last answer, best first

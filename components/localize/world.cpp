@@ -11,17 +11,6 @@ constexpr double kSameLine = 0.02;    // [m] faces are drawn to the millimetre o
 constexpr double kSameAngle = 0.02;   // [rad]
 constexpr double kSameOpening = 0.3;  // [rad] the faces of a wall need not be parallel
 
-/// The sides of a closed object, in the order of its points.
-std::vector<Segment> sides(const Map& map, const Object& object) {
-  std::vector<Segment> sides;
-  const auto location = [&](std::size_t i) {
-    return map.points[static_cast<std::size_t>(object.points[i % object.points.size()])].location;
-  };
-  for (std::size_t i = 0; i < object.points.size(); ++i)
-    sides.push_back({location(i), location(i + 1)});
-  return sides;
-}
-
 bool is_in_line(const Front& front, const Line& line) {
   return front.line.along.dot(line.along) > std::cos(kSameAngle) &&
          std::abs(front.line.normal.dot(line.middle - front.line.middle)) < kSameLine;
@@ -30,24 +19,22 @@ bool is_in_line(const Front& front, const Line& line) {
 }  // namespace
 
 World::World(const Map& global_map, const WorldParameters& parameters) {
-  for (const Object& object : global_map.objects) {
+  std::vector<Segment> drawn_doors;
+  for (std::size_t i = 0; i < global_map.objects.size(); ++i) {
+    const Object& object = global_map.objects[i];
     if (object.type == ObjectType::wall && object.points.size() == 2) {
       const Segment wall = segment(global_map, object);
-      if (object.free_side != FreeSide::right) add_face(wall, true);
-      if (object.free_side != FreeSide::left) add_face({wall.b, wall.a}, true);
+      if (object.free_side != FreeSide::right) add_face(wall, i, true);
+      if (object.free_side != FreeSide::left) add_face({wall.b, wall.a}, i, true);
     } else if (object.type == ObjectType::cabinet && object.points.size() > 2) {
-      for (const Segment& side : sides(global_map, object)) add_face(side, false);
+      for (const Segment& side : edges(global_map, object)) add_face(side, i, false);
     } else if (object.type == ObjectType::door && object.points.size() == 2) {
-      doors_.add(segment(global_map, object));
+      drawn_doors.push_back(segment(global_map, object));
     }
   }
-  for (const Object& object : global_map.objects)
-    if (object.type == ObjectType::door && object.points.size() == 2 &&
-        !join_doorway(segment(global_map, object), parameters))
-      doorways_.push_back({segment(global_map, object), 0.0});
-  are_doors_drawn_ = !doorways_.empty();
   solid_.sort();
   for (Front& front : fronts_) find_gaps(front, parameters);
+  find_doorways(drawn_doors, parameters);
   doors_.sort();
   for (std::size_t i = 0; i < fronts_.size(); ++i) {
     Front& front = fronts_[i];
@@ -66,15 +53,22 @@ void World::find_gaps(Front& front, const WorldParameters& parameters) {
   double reached = front.walls.front().to;
   for (const Interval& piece : front.walls) {
     const Interval gap{reached, piece.from};
-    if (is_doorway(front, gap, parameters)) {
-      front.gaps.push_back(gap);
-      const Segment opening{point_at(front.line, gap.from), point_at(front.line, gap.to)};
-      doors_.add(opening);
-      if (!join_doorway(opening, parameters) && !are_doors_drawn_)
-        doorways_.push_back({opening, 0.0});
-    }
+    if (is_doorway(front, gap, parameters)) front.gaps.push_back(gap);
     reached = std::max(reached, piece.to);
   }
+}
+
+void World::find_doorways(const std::vector<Segment>& drawn, const WorldParameters& parameters) {
+  for (const Segment& door : drawn) {
+    doors_.add(door);
+    if (!join_doorway(door, parameters)) doorways_.push_back({door, 0.0});
+  }
+  for (const Front& front : fronts_)
+    for (const Interval& gap : front.gaps) {
+      const Segment opening{point_at(front.line, gap.from), point_at(front.line, gap.to)};
+      doors_.add(opening);
+      if (!join_doorway(opening, parameters) && drawn.empty()) doorways_.push_back({opening, 0.0});
+    }
 }
 
 bool World::is_doorway(const Front& front, const Interval& gap,
@@ -119,9 +113,9 @@ bool World::join_doorway(const Segment& opening, const WorldParameters& paramete
   return false;
 }
 
-void World::add_face(const Segment& segment, bool is_wall) {
+void World::add_face(const Segment& segment, std::size_t object, bool is_wall) {
   const Line line = line_of(segment);
-  faces_.push_back({segment, line});
+  faces_.push_back({segment, line, object});
   solid_.add(segment);
   auto front =
       std::ranges::find_if(fronts_, [&](const Front& known) { return is_in_line(known, line); });
@@ -135,12 +129,6 @@ Met World::meet(const Vector2& origin, const Vector2& direction) const {
   Met met{solid_.first(origin, direction).distance, doors_.first(origin, direction).distance};
   if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();
   return met;
-}
-
-std::optional<MetFace> World::meet_face(const Vector2& origin, const Vector2& direction) const {
-  const RayHit hit = solid_.first(origin, direction);
-  if (std::isinf(hit.distance)) return std::nullopt;
-  return MetFace{hit.line, hit.distance};
 }
 
 }  // namespace perceptor::localize

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@ namespace perceptor::localize {
 struct Face {
   Segment segment;  ///< [m] world frame
   Line line;
+  std::size_t object = 0;  ///< of the global map: an index
 };
 
 /// Faces in one line that look the same way. What is seen of them may be one wall, where a door
@@ -51,12 +51,6 @@ struct Met {
   double door;  ///< an opening that may be shut, before the face
 };
 
-/// Which face a ray meets first.
-struct MetFace {
-  std::size_t face = 0;   ///< index into faces()
-  double distance = 0.0;  ///< [m]
-};
-
 class World {
  public:
   /// Walls with a free side, cabinets and doors of a global map.
@@ -82,12 +76,15 @@ class World {
   /// `direction` is a unit vector.
   Met meet(const Vector2& origin, const Vector2& direction) const;
 
-  /// The same, without doors; none where there is no face.
-  std::optional<MetFace> meet_face(const Vector2& origin, const Vector2& direction) const;
+  /// Which of faces() a ray meets first.
+  RayHit meet_face(const Vector2& origin, const Vector2& direction) const {
+    return solid_.first(origin, direction);
+  }
 
  private:
-  void add_face(const Segment& segment, bool is_wall);
+  void add_face(const Segment& segment, std::size_t object, bool is_wall);
   void find_gaps(Front& front, const WorldParameters& parameters);
+  void find_doorways(const std::vector<Segment>& drawn, const WorldParameters& parameters);
   bool is_doorway(const Front& front, const Interval& gap, const WorldParameters& parameters) const;
   bool runs_into(const Vector2& end, const Vector2& gap, const WorldParameters& parameters) const;
   bool join_doorway(const Segment& opening, const WorldParameters& parameters);
@@ -95,7 +92,6 @@ class World {
   std::vector<Face> faces_;
   std::vector<Front> fronts_;
   std::vector<Doorway> doorways_;
-  bool are_doors_drawn_ = false;
   std::vector<std::pair<double, std::size_t>> by_angle_;  ///< of fronts_, in order
   Rays solid_;
   Rays doors_;

@@ -66,7 +66,7 @@ class BadInputTest : public testing::Test {
   }
   template <class Message>
   void send(const std::string& channel, const Message& message) {
-    send(channel, detail::encode(message));
+    send(channel, messages::encode(message));
   }
 
   /// The STATUS after everything that was sent has been received.
@@ -102,7 +102,7 @@ class EveryInputTest : public BadInputTest, public testing::WithParamInterface<I
 TEST_P(EveryInputTest, SurvivesAndCountsWhatIsNoMessageOfItsType) {
   const auto& [component, channel, good] = GetParam();
   start(component);
-  for (const Bytes& message : hostile(good, detail::encode(pico::velocity_t{})))
+  for (const Bytes& message : hostile(good, messages::encode(pico::velocity_t{})))
     send(channel, message);
   const std::int64_t bad = sent_;
   send(channel, good);
@@ -118,17 +118,17 @@ pico::map_t empty_map() {
 
 INSTANTIATE_TEST_SUITE_P(
     All, EveryInputTest,
-    testing::Values(Input{"locate", "PICO_ODOMETRY", detail::encode(pico::odometry_t{})},
-                    Input{"proximity", "PICO_LASER", detail::encode(scan_of(1000))},
-                    Input{"scan", "PICO_LASER", detail::encode(scan_of(1000))},
-                    Input{"scan", "POSITION", detail::encode(pico::position_t{})},
-                    Input{"merge", "CURRENT_MAP", detail::encode(empty_map())},
-                    Input{"identify", "LOCAL_MAP", detail::encode(empty_map())}),
+    testing::Values(Input{"locate", "PICO_ODOMETRY", messages::encode(pico::odometry_t{})},
+                    Input{"proximity", "PICO_LASER", messages::encode(scan_of(1000))},
+                    Input{"scan", "PICO_LASER", messages::encode(scan_of(1000))},
+                    Input{"scan", "POSITION", messages::encode(pico::position_t{})},
+                    Input{"merge", "CURRENT_MAP", messages::encode(empty_map())},
+                    Input{"identify", "LOCAL_MAP", messages::encode(empty_map())}),
     [](const auto& which) { return which.param.component + "_" + which.param.channel; });
 
 TEST_F(BadInputTest, HostileCountsOfBeamsAreRejected) {
   start("scan");
-  const Bytes good = detail::encode(scan_of(1000));
+  const Bytes good = messages::encode(scan_of(1000));
   // The count of ranges stands before 1000 floats, the count of bearings and none of those.
   const std::size_t count_at = good.size() - 4 - 4000 - 4;
   for (const std::uint32_t count :

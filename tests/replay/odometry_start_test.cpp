@@ -32,7 +32,7 @@ std::vector<pico::map_t> identified_from(const std::filesystem::path& log, const
       pico::odometry_t odometry;
       EXPECT_EQ(detail::decode(event->data, odometry), "");
       odometry.robot_in_odometry = to_message(compose(start, to_model(odometry.robot_in_odometry)));
-      pipeline.feed(event->channel, detail::encode(odometry));
+      pipeline.feed(event->channel, messages::encode(odometry));
     } else if (event->channel == channel::laser) {
       pipeline.feed(event->channel, event->data);
     }

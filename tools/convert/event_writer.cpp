@@ -55,7 +55,7 @@ std::string_view EventWriter::write(const char* channel, Message& message) {
   }
   first_utime_ = std::min(first_utime_, message.utime);
   last_utime_ = std::max(last_utime_, message.utime);
-  const auto bytes = detail::encode(message);
+  const auto bytes = messages::encode(message);
   log_->write(channel, last_utime_, bytes.data(), bytes.size());
   status_->published(channel, stamp_of(message));
   return {};
@@ -130,7 +130,7 @@ void EventWriter::finish() {
   // What this very run used is not part of the recording.
   message.rss_bytes = 0;
   message.cpu_s = 0.0;
-  const auto bytes = detail::encode(message);
+  const auto bytes = messages::encode(message);
   log_->write(status_->channel(), last_utime_, bytes.data(), bytes.size());
   log_->close();
 }

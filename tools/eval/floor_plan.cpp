@@ -16,16 +16,6 @@ double turn(const Segment& wall, const Segment& next) {
   return angle_difference(angle(wall), angle(next));
 }
 
-bool are_on_both_sides(const Segment& line, const Segment& of) {
-  return signed_distance(line, of.a) * signed_distance(line, of.b) < 0.0;
-}
-
-/// [m] between the nearest points; 0 where they cross.
-double gap(const Segment& s, const Segment& t) {
-  if (are_on_both_sides(s, t) && are_on_both_sides(t, s)) return 0.0;
-  return std::min({distance(s, t.a), distance(s, t.b), distance(t, s.a), distance(t, s.b)});
-}
-
 bool is_corner(const Segment& wall, const Segment& next, const PlanLimits& limits) {
   const double turned = std::abs(turn(wall, next));
   return turned >= limits.min_turn && turned <= std::numbers::pi - limits.sharpest_corner;
@@ -38,7 +28,8 @@ bool keep_apart(const std::vector<PlanWall>& walls, const PlanLimits& limits) {
           walls[i].next == static_cast<int>(j) || walls[j].next == static_cast<int>(i);
       const double smallest_gap =
           walls[i].outline == walls[j].outline ? limits.min_gap : limits.min_passage;
-      if (!are_neighbours && gap(walls[i].segment, walls[j].segment) < smallest_gap) return false;
+      if (!are_neighbours && distance(walls[i].segment, walls[j].segment) < smallest_gap)
+        return false;
     }
   return true;
 }

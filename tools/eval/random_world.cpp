@@ -13,22 +13,10 @@ namespace {
 
 constexpr int kTries = 60;  // for one thing that has to fit somewhere
 
-bool cross_each_other(const Segment& s, const Segment& t) {
-  const auto parted_by = [](const Segment& line, const Segment& other) {
-    return signed_distance(line, other.a) * signed_distance(line, other.b) < 0.0;
-  };
-  return parted_by(s, t) && parted_by(t, s);
-}
-
-double separation(const Segment& s, const Segment& t) {
-  if (cross_each_other(s, t)) return 0.0;
-  return std::min({distance(s, t.a), distance(s, t.b), distance(t, s.a), distance(t, s.b)});
-}
-
 double separation(const std::vector<Segment>& some, const std::vector<Segment>& others) {
   double nearest = 1e9;
   for (const Segment& s : some)
-    for (const Segment& t : others) nearest = std::min(nearest, separation(s, t));
+    for (const Segment& t : others) nearest = std::min(nearest, distance(s, t));
   return nearest;
 }
 
@@ -36,10 +24,6 @@ std::vector<Vector2> outline(const WorldRoom& room) {
   std::vector<Vector2> corners;
   for (const RoomSide& side : room.sides) corners.push_back(side.segment.a);
   return corners;
-}
-
-double any_angle(RoomRandom& random) {
-  return uniform(random, -std::numbers::pi, std::numbers::pi);
 }
 
 class Furnisher {
@@ -91,7 +75,7 @@ class Furnisher {
   void add_box(const WorldRoom& room) {
     for (int i = 0; i < kTries; ++i) {
       const Vector2 middle = point_in(room);
-      const Furniture box{{middle.x(), middle.y(), any_angle(random_)},
+      const Furniture box{{middle.x(), middle.y(), uniform_angle(random_)},
                           uniform(random_, 0.3, 0.7),
                           uniform(random_, 0.3, 0.5)};
       if (contains(outline(room), middle) && fits(box, 0.05)) return place(box, world_.boxes);
@@ -163,9 +147,9 @@ RandomWorld draw_random_world(const RandomWorldParameters& parameters, std::size
     world.tour = draw_world_tour(world.rooms, parameters.tour, random);
     if (separation(legs(world.tour), walls(world.rooms)) < parameters.clearance) continue;
     const Vector2 start = world.tour.front().location;
-    world.start_in_world = {start.x(), start.y(), any_angle(random)};
+    world.start_in_world = {start.x(), start.y(), uniform_angle(random)};
     world.start_in_odometry = {uniform(random, -4.0, 4.0), uniform(random, -4.0, 4.0),
-                               any_angle(random)};
+                               uniform_angle(random)};
     Furnisher(parameters, random, world).furnish();
     if (world.people.empty()) continue;
     return world;

@@ -27,6 +27,10 @@ int uniform_int(RoomRandom& random, int low, int high) {
   return low + static_cast<int>(std::floor(values * unit_uniform(random)));
 }
 
+double uniform_angle(RoomRandom& random) {
+  return uniform(random, -std::numbers::pi, std::numbers::pi);
+}
+
 bool happens(RoomRandom& random, double share) { return unit_uniform(random) < share; }
 
 double normal(RoomRandom& random) {

@@ -23,6 +23,9 @@ double uniform(RoomRandom& random, double low, double high);
 /// In [low, high], both included.
 int uniform_int(RoomRandom& random, int low, int high);
 
+/// [rad] In [-pi, pi).
+double uniform_angle(RoomRandom& random);
+
 /// Whether something happens that has this share of all cases.
 bool happens(RoomRandom& random, double share);
 

@@ -10,19 +10,6 @@
 namespace perceptor {
 namespace {
 
-/// The straight pieces of an object, the closing one included.
-std::vector<Segment> edges(const Map& map, const Object& object) {
-  const auto location = [&](std::size_t i) {
-    return map.points[static_cast<std::size_t>(object.points[i])].location;
-  };
-  std::vector<Segment> found;
-  for (std::size_t i = 0; i + 1 < object.points.size(); ++i)
-    found.push_back({location(i), location(i + 1)});
-  if (object.connection == Connection::closed && object.points.size() > 2)
-    found.push_back({location(object.points.size() - 1), location(0)});
-  return found;
-}
-
 void append_sides(const Map& map, ObjectType type, Surface surface, std::vector<TrueSide>& sides) {
   for (const Object& object : map.objects) {
     if (object.type != type || (surface == Surface::leaf && object.reason != "shut")) continue;

@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::size_t kKept = 400;  // ten seconds of scans: truth and map stand closer
 
-/// The straight pieces of an object, the closing one included.
-void append_edges(const Map& map, const Object& object, std::vector<Segment>& edges) {
-  const auto location = [&](std::size_t i) {
-    return map.points[static_cast<std::size_t>(object.points[i])].location;
-  };
-  for (std::size_t i = 0; i + 1 < object.points.size(); ++i)
-    edges.push_back({location(i), location(i + 1)});
-  if (object.connection == Connection::closed && object.points.size() > 2)
-    edges.push_back({location(object.points.size() - 1), location(0)});
-}
-
 bool same_scan(const pico::truth_t& truth, const pico::map_t& map) {
   return truth.session == map.session && truth.seq == map.seq;
 }
@@ -59,7 +48,7 @@ void WorldScorer::take_world(const pico::map_t& message) {
   for (const Object& object : world.objects) {
     const bool is_open_door = object.type == ObjectType::door && object.reason != "shut";
     if (!is_open_door) {
-      append_edges(world, object, walls_);
+      for (const Segment& edge : edges(world, object)) walls_.push_back(edge);
       continue;
     }
     Opening& opening = openings_[object.id];

@@ -11,9 +11,6 @@
 namespace perceptor {
 namespace {
 
-/// [m] by which lines are moved in at most: corners move as far.
-constexpr double kDeepest = 0.5;
-
 using Places = std::vector<Vector2>;
 
 /// Indices of the places between `first` and `last` that stay.
@@ -58,11 +55,6 @@ Vector2 dropped_on(const Line& line, const Vector2& place) {
   return point_at(line, place_on(line, place));
 }
 
-Line moved_in(Line line, const std::function<double(const Line&)>& inset) {
-  line.middle -= inset(line) * line.normal;
-  return line;
-}
-
 /// Where two lines meet, if that is near the corner that was found.
 Vector2 corner_of(const Line& p, const Line& q, const Vector2& found, double reach) {
   const double sine = cross(p.along, q.along);
@@ -101,9 +93,15 @@ std::vector<Segment> straighten(const Outline& outline, double tolerance,
   corners.push_back(places.size() - 1);
 
   std::vector<Line> lines;
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    lines.push_back(moved_in(fit(places, corners[i - 1], corners[i]), inset));
-  const double reach = 3.0 * tolerance + kDeepest;
+  double deepest = 0.0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    Line line = fit(places, corners[i - 1], corners[i]);
+    const double depth = inset(line);
+    line.middle -= depth * line.normal;
+    deepest = std::max(deepest, depth);
+    lines.push_back(line);
+  }
+  const double reach = 3.0 * tolerance + 2.0 * deepest;  // corners move farther than lines
   Places ends;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2& found = places[corners[i]];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/floorplan/floorplan_writer.hpp"
+#include "common/geometry/polygon.hpp"
 #include "tools/vectorize/straighten.hpp"
 #include "tools/vectorize/trace.hpp"
 
@@ -45,13 +46,13 @@ double to_middle(const OccupancyGrid& grid, const Line& line, double thickest) {
   return *half < thickest ? *half / 2.0 : 0.0;
 }
 
-/// The free cell with the largest free square up and right of it, by dynamic programming.
 struct Square {
   int x = 0;
   int y = 0;
   int side = 0;  ///< cells
 };
 
+/// By dynamic programming: for each cell, the largest square up and right of it.
 Square largest_free_square(const OccupancyGrid& grid) {
   std::vector<int> above(static_cast<std::size_t>(grid.width) + 1, 0);
   Square largest;
@@ -81,11 +82,7 @@ void add_start_area(const OccupancyGrid& grid, FloorplanBuilder& builder) {
   const int y0 = square.y + margin;
   const int x1 = square.x + square.side - margin;
   const int y1 = square.y + square.side - margin;
-  const std::vector<Vector2> corners = {corner(x0, y0), corner(x1, y0), corner(x1, y1),
-                                        corner(x0, y1)};
-  std::vector<Segment> sides;
-  for (std::size_t i = 0; i < 4; ++i) sides.push_back({corners[i], corners[(i + 1) % 4]});
-  builder.add_start_area(sides);
+  builder.add_start_area(edges({corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)}));
 }
 
 }  // namespace

@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string_view>
 
 #include "common/messages/convert.hpp"
 #include "common/time/stamp.hpp"
+#include "tools/format.hpp"
 
 namespace perceptor {
 namespace {
-
-/// snprintf into a string.
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 std::int64_t published_on(const pico::status_t& status, const std::string& channel) {
   for (const auto& output : status.outputs)

@@ -10,14 +10,6 @@ Polygon outline(const Box& box) {
   return transform(box.box_in_world, Polygon{{x, y}, {-x, y}, {-x, -y}, {x, -y}});
 }
 
-std::vector<Segment> edges(const Polygon& polygon) {
-  std::vector<Segment> result;
-  result.reserve(polygon.size());
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    result.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
-  return result;
-}
-
 Polygon transform(const Position& b_in_a, const Polygon& polygon_in_b) {
   Polygon result;
   result.reserve(polygon_in_b.size());

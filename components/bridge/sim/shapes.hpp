@@ -25,9 +25,6 @@ struct Box {
 
 Polygon outline(const Box& box);
 
-/// The edges of a polygon, in order.
-std::vector<Segment> edges(const Polygon& polygon);
-
 /// A polygon of frame b, seen from a.
 Polygon transform(const Position& b_in_a, const Polygon& polygon_in_b);
 

@@ -9,13 +9,6 @@
 namespace perceptor {
 namespace {
 
-std::vector<Vector2> corners(const Map& map, const Object& object) {
-  std::vector<Vector2> corners;
-  for (const Index point : object.points)
-    corners.push_back(map.points[static_cast<std::size_t>(point)].location);
-  return corners;
-}
-
 Vector2 middle_of(const std::vector<Vector2>& outline) {
   Vector2 sum = Vector2::Zero();
   for (const Vector2& corner : outline) sum += corner;
@@ -28,8 +21,7 @@ double separation(const std::vector<Vector2>& p, const std::vector<Vector2>& q) 
   for (const auto& [some, others] : {std::pair{&p, &q}, std::pair{&q, &p}})
     for (const Vector2& corner : *some) {
       if (contains(*others, corner)) return 0.0;
-      for (const Segment& edge : sim::edges(*others))
-        least = std::min(least, distance(edge, corner));
+      for (const Segment& edge : edges(*others)) least = std::min(least, distance(edge, corner));
     }
   return least;
 }
@@ -84,7 +76,7 @@ bool CombinedScorer::is_blocked(const Segment& opening) const {
 void CombinedScorer::score_doors(const Map& map, const Position& robot, double time) {
   std::vector<Segment> opaque = world_.walls;
   for (const sim::Box& box : world_.boxes)
-    for (const Segment& side : sim::edges(sim::outline(box))) opaque.push_back(side);
+    for (const Segment& side : edges(sim::outline(box))) opaque.push_back(side);
   const sim::Obstacles obstacles{opaque, {}, {}};
   for (const Object& door : map.objects) {
     if (door.type != ObjectType::door) continue;
@@ -106,7 +98,7 @@ void CombinedScorer::score_doors(const Map& map, const Position& robot, double t
 
 std::vector<int> CombinedScorer::rays_on_boxes(const Position& robot) const {
   std::vector<sim::Obstacles> boxes;
-  for (const sim::Box& box : world_.boxes) boxes.push_back({sim::edges(sim::outline(box)), {}, {}});
+  for (const sim::Box& box : world_.boxes) boxes.push_back({edges(sim::outline(box)), {}, {}});
   const sim::Obstacles walls{world_.walls, {}, {}};
   std::vector<int> rays(boxes.size(), 0);
   for (int k = 0; k < parameters_.rays; ++k) {

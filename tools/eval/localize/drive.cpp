@@ -13,6 +13,7 @@
 #include "common/geometry/angle.hpp"
 #include "common/log/event_log.hpp"
 #include "common/messages/convert.hpp"
+#include "common/messages/encode.hpp"
 #include "common/time/stamp.hpp"
 #include "components/bridge/sim_messages.hpp"
 
@@ -81,7 +82,7 @@ class Driver {
     pico::truth_t truth = to_message(sweep.truth);
     set_stamp(truth, stamp);
     utime_ = sweep.completed;
-    if (log_) write(channel::truth, encoded(truth));
+    if (log_) write(channel::truth, messages::encode(truth));
     view(scan, sweep.truth);
     truths_[sweep.utime] = sweep.truth;
     feed(channel::laser, scan);
@@ -97,16 +98,9 @@ class Driver {
   }
 
   template <class Message>
-  static std::vector<std::uint8_t> encoded(const Message& message) {
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
-    message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-    return bytes;
-  }
-
-  template <class Message>
   void feed(const std::string& channel, const Message& message) {
     utime_ = std::max(utime_, message.utime);
-    pipeline_.feed(channel, encoded(message));
+    pipeline_.feed(channel, messages::encode(message));
   }
 
   void write(const std::string& channel, Pipeline::Bytes payload) {

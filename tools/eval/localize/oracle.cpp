@@ -4,30 +4,31 @@
 #include <cmath>
 
 #include "common/geometry/angle.hpp"
+#include "components/localize/beam_fit.hpp"
 
 namespace perceptor {
 namespace {
+
+constexpr std::size_t kGlanced = 4;  // of so many beams one is looked at, at first
+
+/// Nothing but how much the map explains and what goes through is asked of the fit.
+localize::BeamFitParameters within(double tolerance) {
+  localize::BeamFitParameters parameters;
+  parameters.sigma = tolerance / localize::kHitSigmas;
+  parameters.through = tolerance;
+  return parameters;
+}
+
+std::vector<localize::Beam> some_of(const std::vector<localize::Beam>& beams) {
+  std::vector<localize::Beam> some;
+  for (std::size_t i = 0; i < beams.size(); i += kGlanced) some.push_back(beams[i]);
+  return some;
+}
 
 struct Shares {
   double explained = 0.0;
   double through = 0.0;
 };
-
-/// `every`: of the beams. Counts one view.
-void count(const localize::World& world, const Position& robot_in_world,
-           const std::vector<localize::Beam>& beams, std::size_t every, double tolerance,
-           double& explained, double& through, double& counted) {
-  const Position turn{0.0, 0.0, robot_in_world.a};
-  for (std::size_t i = 0; i < beams.size(); i += every) {
-    const localize::Met met =
-        world.meet(transform(robot_in_world, beams[i].origin), transform(turn, beams[i].direction));
-    const double range = beams[i].range;
-    if (std::abs(range - met.face) < tolerance || std::abs(range - met.door) < tolerance)
-      explained += 1.0;
-    if (range > met.face + tolerance) through += 1.0;
-    counted += 1.0;
-  }
-}
 
 class Oracle {
  public:
@@ -36,9 +37,9 @@ class Oracle {
       : world_(world),
         views_(views),
         parameters_(parameters),
-        start_(views.front().robot_in_world) {
-    truth_ = shares(start_);
-  }
+        start_(views.front().robot_in_world),
+        glance_(some_of(views.front().beams)),
+        truth_(shares(start_)) {}
 
   std::optional<Position> elsewhere() const {
     Vector2 low = world_.faces().front().segment.a;
@@ -82,26 +83,25 @@ class Oracle {
 
   /// At a first glance, by few beams of the first view.
   bool is_worth_it(const Position& place) const {
-    constexpr std::size_t kEvery = 4;
     constexpr double kSlack = 0.2;
-    Shares here;
-    double counted = 0.0;
-    count(world_, place, views_.front().beams, kEvery, parameters_.glance, here.explained,
-          here.through, counted);
-    return here.explained >= (truth_.explained - kSlack) * counted &&
-           here.through <= (truth_.through + kSlack) * counted;
+    const localize::BeamFit here = fit_beams(world_, place, glance_, within(parameters_.glance));
+    return here.explained >= truth_.explained - kSlack && here.through <= truth_.through + kSlack;
   }
 
-  /// Of the whole drive that begins here.
+  /// Of the whole drive that begins here; `every`: of the views.
   Shares shares(const Position& start, std::size_t every = 1) const {
-    Shares shares;
-    double counted = 0.0;
-    for (std::size_t i = 0; i < views_.size(); i += every)
-      count(world_, compose(start, relative(start_, views_[i].robot_in_world)), views_[i].beams,
-            every, parameters_.tolerance, shares.explained, shares.through, counted);
-    shares.explained /= counted;
-    shares.through /= counted;
-    return shares;
+    Shares sum;
+    double beams = 0.0;
+    for (std::size_t i = 0; i < views_.size(); i += every) {
+      const Position robot = compose(start, relative(start_, views_[i].robot_in_world));
+      const localize::BeamFit fit =
+          fit_beams(world_, robot, views_[i].beams, within(parameters_.tolerance));
+      const auto count = static_cast<double>(views_[i].beams.size());
+      sum.explained += count * fit.explained;
+      sum.through += count * fit.through;
+      beams += count;
+    }
+    return {sum.explained / beams, sum.through / beams};
   }
 
   /// Uphill from a place of the grid.
@@ -145,6 +145,7 @@ class Oracle {
   const std::vector<TrueView>& views_;
   OracleParameters parameters_;
   Position start_;
+  std::vector<localize::Beam> glance_;  ///< some of the first view's
   Shares truth_;
 };
 

@@ -1,21 +1,21 @@
 #include "tools/eval/localize/protocol_report.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/eval/quantile.hpp"
+#include "tools/format.hpp"
 
 namespace perceptor {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFalseAfter = 1.0;  // [s] of tracking elsewhere
-
-bool is_false(const JudgedTrial& trial) { return trial.outcome.longest_false > kFalseAfter; }
+bool is_false(const JudgedTrial& trial) {
+  return trial.outcome.longest_false > OutcomeParameters{}.false_after;
+}
 
 bool is_within(const std::optional<double>& time, double seconds) {
   return time && *time <= seconds;
@@ -91,12 +91,6 @@ CombinedScore combined(const std::vector<JudgedTrial>& trials) {
   return sum;
 }
 
-std::string formatted(const char* format, auto... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 const char* name_of(Doors doors) {
   switch (doors) {
     case Doors::open:
@@ -111,7 +105,7 @@ const char* name_of(Doors doors) {
 
 std::string described(const JudgedTrial& trial) {
   const Conditions& c = trial.conditions;
-  return formatted(
+  return format(
       "  %4zu  %-16s clutter %2.0f %%, %d people, doors %s, slip %.1f %%, sigma %.2f, outliers "
       "%.1f %%, displaced %.2f",
       trial.number, trial.site.c_str(), 100.0 * c.clutter, c.people, name_of(c.doors),
@@ -175,42 +169,42 @@ const std::vector<ProtocolLine>& protocol_lines() {
 }
 
 std::string report(const std::vector<JudgedTrial>& trials) {
-  std::string text = formatted("%-48s %6s %7s  %s\n", "", "trials", "%", "95 % interval, asked");
+  std::string text = format("%-48s %6s %7s  %s\n", "", "trials", "%", "95 % interval, asked");
   for (const ProtocolLine& line : protocol_lines()) {
     const Proportion proportion = count(line, trials);
     const ConfidenceInterval interval = clopper_pearson(proportion);
-    text += formatted("%-48s %6d %7.2f  %.2f to %.2f, %s %.1f\n", line.name.c_str(),
-                      proportion.cases, 100.0 * proportion.share(), 100.0 * interval.low,
-                      100.0 * interval.high, line.at_least ? ">=" : "<=", 100.0 * line.asked);
+    text += format("%-48s %6d %7.2f  %.2f to %.2f, %s %.1f\n", line.name.c_str(), proportion.cases,
+                   100.0 * proportion.share(), 100.0 * interval.low, 100.0 * interval.high,
+                   line.at_least ? ">=" : "<=", 100.0 * line.asked);
   }
   const std::vector<double> times = easy_times(trials);
-  text += formatted(
+  text += format(
       "no clutter, doors open: found after                %4zu  median %.2f s, 95 %% "
       "within %.2f s (asked: 1, 5)\n",
       times.size(), quantile(times, 0.5), quantile(times, 0.95));
   for (const Error& error : kErrors) {
     const Rms e = rms(error, trials);
-    text += formatted("tracking, %-36s  rms %.1f mm, %.3f deg, NEES %.2f (3)\n", error.name,
-                      1000.0 * e.distance, e.degrees, e.nees);
+    text += format("tracking, %-36s  rms %.1f mm, %.3f deg, NEES %.2f (3)\n", error.name,
+                   1000.0 * e.distance, e.degrees, e.nees);
   }
   const CombinedScore found = combined(trials);
-  text += formatted("doors in view within 3 m for 1 s: state right    %6d %7.2f  >= 97\n",
-                    found.doors.cases, 100.0 * found.doors.share());
-  text += formatted("things in view within 3 m for 3 s: there         %6d %7.2f  >= 95\n",
-                    found.objects.cases, 100.0 * found.objects.share());
-  text += formatted("static things that are not: %d in %.2f h tracked (asked: 1 an hour)\n",
-                    found.false_objects, found.time / 3600.0);
+  text += format("doors in view within 3 m for 1 s: state right    %6d %7.2f  >= 97\n",
+                 found.doors.cases, 100.0 * found.doors.share());
+  text += format("things in view within 3 m for 3 s: there         %6d %7.2f  >= 95\n",
+                 found.objects.cases, 100.0 * found.objects.share());
+  text += format("static things that are not: %d in %.2f h tracked (asked: 1 an hour)\n",
+                 found.false_objects, found.time / 3600.0);
   std::string failures;
   for (const JudgedTrial& trial : trials) {
     const Outcome& o = trial.outcome;
     std::string what;
     if (o.combined.false_objects > 0)
-      what += formatted(", %d things that are not", o.combined.false_objects);
+      what += format(", %d things that are not", o.combined.false_objects);
     if (o.combined.doors.share() < 0.9)
-      what += formatted(", doors %d of %d", o.combined.doors.hits, o.combined.doors.cases);
+      what += format(", doors %d of %d", o.combined.doors.hits, o.combined.doors.cases);
     if (o.combined.objects.share() < 0.8)
-      what += formatted(", things %d of %d", o.combined.objects.hits, o.combined.objects.cases);
-    if (is_false(trial)) what += formatted(", elsewhere for %.1f s", o.longest_false);
+      what += format(", things %d of %d", o.combined.objects.hits, o.combined.objects.cases);
+    if (is_false(trial)) what += format(", elsewhere for %.1f s", o.longest_false);
     if (!o.is_ambiguous && !is_within(o.found, 30.0)) what += ", not found";
     if (is_kidnapped(trial) && !is_within(o.noticed, 2.0)) what += ", kidnapping not noticed";
     if (is_kidnapped(trial) && !is_within(o.found_again, 10.0)) what += ", not found again";

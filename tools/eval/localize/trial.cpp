@@ -15,25 +15,13 @@ constexpr int kTries = 200;
 constexpr int kRays = 120;          // that measure how much of the view is cluttered
 constexpr double kFarthest = 20.0;  // [m] a place from where more can be seen lies outside
 
-double any_angle(RoomRandom& random) {
-  return uniform(random, -std::numbers::pi, std::numbers::pi);
-}
-
 Vector2 direction_of(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-double clearance_of(const std::vector<Segment>& lines, const Vector2& place) {
+/// [m] from a place, or from a way.
+template <class Shape>
+double clearance_of(const std::vector<Segment>& lines, const Shape& shape) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Segment& line : lines) nearest = std::min(nearest, distance(line, place));
-  return nearest;
-}
-
-double clearance_of(const std::vector<Segment>& lines, const Segment& way) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Segment& line : lines) {
-    if (sim::cross_each_other(line, way)) return 0.0;
-    nearest = std::min({nearest, distance(line, way.a), distance(line, way.b),
-                        distance(way, line.a), distance(way, line.b)});
-  }
+  for (const Segment& line : lines) nearest = std::min(nearest, distance(line, shape));
   return nearest;
 }
 
@@ -62,7 +50,7 @@ class Displacement {
  public:
   Displacement(double largest, RoomRandom& random) {
     for (Vector2& value : lattice_)
-      value = uniform(random, 0.0, largest) * direction_of(any_angle(random));
+      value = uniform(random, 0.0, largest) * direction_of(uniform_angle(random));
   }
 
   Vector2 at(const Vector2& place) const {
@@ -105,7 +93,7 @@ class Drawer {
     if (!start || !clutter(*start, simulator.world)) return false;
     simulator.tour.points = drive(*start);
     if (simulator.tour.points.size() < 2) return false;
-    simulator.start_in_world = {start->x(), start->y(), any_angle(random_)};
+    simulator.start_in_world = {start->x(), start->y(), uniform_angle(random_)};
     add_people(*start, simulator.world);
     return true;
   }
@@ -115,7 +103,7 @@ class Drawer {
     const auto start = any_start();
     if (!start) return false;
     simulator.tour.points = drive(*start);
-    simulator.start_in_world = {start->x(), start->y(), any_angle(random_)};
+    simulator.start_in_world = {start->x(), start->y(), uniform_angle(random_)};
     return simulator.tour.points.size() >= 2;
   }
 
@@ -176,17 +164,17 @@ class Drawer {
         lines_.insert(lines_.end(), sides.begin(), sides.end());
         return share <= conditions_.clutter + parameters_.clutter_error;
       }
-      const double towards = any_angle(random_);
+      const double towards = uniform_angle(random_);
       const double far = uniform(random_, 0.7, 2.5);
       const Vector2 place = start + far * direction_of(towards);
-      const sim::Box box{{place.x(), place.y(), any_angle(random_)},
+      const sim::Box box{{place.x(), place.y(), uniform_angle(random_)},
                          uniform(random_, 0.2, 0.6),
                          uniform(random_, 0.2, 0.5)};
       const bool fits = far < sim::cast_ray(start, towards, walls) - 0.2 &&
                         far - std::hypot(box.length, box.width) / 2.0 > parameters_.clearance;
       if (!fits) continue;
       world.boxes.push_back(box);
-      for (const Segment& side : sim::edges(sim::outline(box))) sides.push_back(side);
+      for (const Segment& side : edges(sim::outline(box))) sides.push_back(side);
     }
     return conditions_.clutter == 0.0;
   }
@@ -208,8 +196,9 @@ class Drawer {
     Vector2 here = start;
     for (int i = 0; i < kTries && points.size() < kPlaces; ++i) {
       if (happens(random_, 0.3) && drive_through_door(here, points)) continue;
-      const Vector2 there = here + uniform(random_, 0.4, 3.0) * direction_of(any_angle(random_));
-      if (!is_free({here, there})) continue;
+      const Vector2 there =
+          here + uniform(random_, 0.4, 3.0) * direction_of(uniform_angle(random_));
+      if (!is_free(Segment{here, there})) continue;
       points.push_back({there, uniform(random_, -3.0, 3.0), 0.0, -1});
       here = there;
     }
@@ -275,8 +264,8 @@ Trial draw_trial(const std::vector<Site>& sites, const sim::SimulatorParameters&
     trial.conditions = draw_conditions(parameters, random);
     trial.simulator = robot;
     trial.simulator.seed = static_cast<std::int64_t>(random() >> 1U);
-    trial.simulator.odometry.start_in_odometry = {uniform(random, -3.0, 3.0),
-                                                  uniform(random, -3.0, 3.0), any_angle(random)};
+    trial.simulator.odometry.start_in_odometry = {
+        uniform(random, -3.0, 3.0), uniform(random, -3.0, 3.0), uniform_angle(random)};
     trial.simulator.odometry.slip_scale = trial.conditions.slip;
     trial.simulator.odometry.slip_walk = trial.conditions.slip / 5.0;
     trial.simulator.odometry.slip_turn_walk = trial.conditions.slip / 5.0;

@@ -37,7 +37,7 @@ class BusTest : public testing::Test {
     while (lcm_.handleTimeout(0) > 0) {
     }
   }
-  void send(const pico::odometry_t& message) { send(channel::odometry, detail::encode(message)); }
+  void send(const pico::odometry_t& message) { send(channel::odometry, messages::encode(message)); }
 
   std::int64_t rejected(const std::string& reason) {
     for (const auto& entry : status_.message(0, false).rejects)
@@ -83,10 +83,10 @@ TEST_F(BusTest, DoesNotWaitForCommands) {
 
 TEST_F(BusTest, CountsWhatIsNoMessageOfTheTypeAndLivesOn) {
   listen();
-  auto truncated = detail::encode(odometry(100));
+  auto truncated = messages::encode(odometry(100));
   truncated.resize(truncated.size() - 3);
   send(channel::odometry, truncated);
-  send(channel::odometry, detail::encode(pico::velocity_t{}));
+  send(channel::odometry, messages::encode(pico::velocity_t{}));
   send(channel::odometry, {});
   EXPECT_TRUE(taken_.empty());
   EXPECT_EQ(status_.message(0, false).inputs[0].rejected, 3);
@@ -158,7 +158,7 @@ TEST_F(BusTest, SendsARecordedMessageByteForByteWithItsStamp) {
         static_cast<std::vector<std::uint8_t>*>(self)->assign(data, data + buffer->data_size);
       },
       &seen);
-  const auto recorded = detail::encode(odometry(100, 5, 9));
+  const auto recorded = messages::encode(odometry(100, 5, 9));
   bus_.publish_recorded(channel::odometry, recorded);
   lcm_.handleTimeout(0);
   EXPECT_EQ(seen, recorded);
@@ -166,10 +166,10 @@ TEST_F(BusTest, SendsARecordedMessageByteForByteWithItsStamp) {
 }
 
 TEST_F(BusTest, DoesNotSendARecordedMessageThatIsDamagedOrNotOurs) {
-  auto damaged = detail::encode(odometry(100));
+  auto damaged = messages::encode(odometry(100));
   damaged.pop_back();
   bus_.publish_recorded(channel::odometry, damaged);
-  bus_.publish_recorded("ELSEWHERE", detail::encode(odometry(100)));
+  bus_.publish_recorded("ELSEWHERE", messages::encode(odometry(100)));
   EXPECT_TRUE(status_.message(0, false).outputs.empty());
   EXPECT_EQ(rejected("no channel of ours"), 1);
 }
@@ -179,10 +179,10 @@ TEST_F(BusTest, TakesCommandsWhateverTheirStamp) {
   bus_.subscribe_command<pico::velocity_t>(channel::velocity, 5,
                                            [&](const pico::velocity_t&) { ++commands; });
   pico::velocity_t command{};
-  send(channel::velocity, detail::encode(command));
-  send(channel::velocity, detail::encode(command));
+  send(channel::velocity, messages::encode(command));
+  send(channel::velocity, messages::encode(command));
   command.vx = std::numeric_limits<double>::infinity();
-  send(channel::velocity, detail::encode(command));
+  send(channel::velocity, messages::encode(command));
   EXPECT_EQ(commands, 2);
 }
 

@@ -65,5 +65,13 @@ TEST(Polygon, PointThatIsNotFiniteIsNowhere) {
   EXPECT_FALSE(contains(kSquare, {1.0, infinity}));
 }
 
+TEST(Polygon, EdgesGoRound) {
+  const std::vector<Segment> sides = edges({{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}});
+  ASSERT_EQ(sides.size(), 3U);
+  EXPECT_EQ(sides[2].a, Vector2(0.0, 1.0));
+  EXPECT_EQ(sides[2].b, Vector2(0.0, 0.0));
+  EXPECT_TRUE(edges({}).empty());
+}
+
 }  // namespace
 }  // namespace perceptor

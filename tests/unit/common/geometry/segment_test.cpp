@@ -210,5 +210,13 @@ TEST(Segment, WhatIsSaidOfTwoDoesNotDependOnTheFrame) {
   }
 }
 
+TEST(Segment, DistanceBetweenTwo) {
+  const Segment s{{0.0, 0.0}, {2.0, 0.0}};
+  EXPECT_EQ(distance(s, Segment{{1.0, -1.0}, {1.0, 1.0}}), 0.0) << "they cross";
+  EXPECT_DOUBLE_EQ(distance(s, Segment{{1.0, 0.5}, {1.0, 2.0}}), 0.5);
+  EXPECT_DOUBLE_EQ(distance(s, Segment{{5.0, 4.0}, {9.0, 4.0}}), 5.0) << "end to end";
+  EXPECT_DOUBLE_EQ(distance(s, Segment{{3.0, 0.0}, {4.0, 0.0}}), 1.0) << "in one line";
+}
+
 }  // namespace
 }  // namespace perceptor

@@ -326,5 +326,21 @@ INSTANTIATE_TEST_SUITE_P(
                               "point 0 is connected to point 1, which is not connected to it"}),
     [](const auto& suite) { return std::string(suite.param.name); });
 
+TEST(Map, EdgesOfOpenAndClosedObjects) {
+  Map map;
+  Object object;
+  for (const Vector2& corner : {Vector2(0.0, 0.0), Vector2(1.0, 0.0), Vector2(0.0, 1.0)})
+    object.points.push_back(add_point(map, corner));
+  EXPECT_EQ(edges(map, object).size(), 2U);
+  object.connection = Connection::closed;
+  const std::vector<Segment> sides = edges(map, object);
+  ASSERT_EQ(sides.size(), 3U);
+  EXPECT_EQ(sides[2].b, Vector2(0.0, 0.0));
+  object.points.resize(2);
+  EXPECT_EQ(edges(map, object).size(), 1U) << "there and back is one";
+  object.points.clear();
+  EXPECT_TRUE(edges(map, object).empty());
+}
+
 }  // namespace
 }  // namespace perceptor

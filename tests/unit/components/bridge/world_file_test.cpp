@@ -140,7 +140,7 @@ bool stands_in_something(const sim::SimulatorParameters& parameters,
   for (const Segment& edge : parameters.world.cabinets)
     if (sim::touches(robot, edge)) return true;
   for (const sim::Box& box : parameters.world.boxes)
-    for (const Segment& edge : sim::edges(sim::outline(box)))
+    for (const Segment& edge : edges(sim::outline(box)))
       if (sim::touches(robot, edge)) return true;
   return false;
 }

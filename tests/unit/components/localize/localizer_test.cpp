@@ -149,7 +149,14 @@ class Drive {
 
   WorldPosition look() {
     utime_ += kPeriod;
-    return localizer_.update(sight(building_, scene_, truth(), in_local_, utime_));
+    const WorldPosition now =
+        localizer_.update(sight(building_, scene_, truth(), in_local_, utime_));
+    if (last_.state == State::tracking && now.state == State::tracking) {
+      EXPECT_LT(
+          distance(last_.robot_in_world->pose.location(), now.robot_in_world->pose.location()), 0.3)
+          << "elsewhere, and was not lost between";
+    }
+    return last_ = now;
   }
 
   /// Somebody lifts the robot, and odometry notices nothing.
@@ -167,6 +174,7 @@ class Drive {
   Position start_;  ///< the local frame, in the world
   Position in_local_;
   std::int64_t utime_ = 1'000'000;
+  WorldPosition last_;
   Localizer localizer_;
 };
 

@@ -22,7 +22,7 @@ constexpr std::int64_t kPeriod = 100'000;
 template <class Message>
 LogEvent event(const std::string& channel, Message message, std::int64_t seq) {
   set_stamp(message, {kFirst + seq * kPeriod, 7, seq});
-  return {0, 0, channel, detail::encode(message)};
+  return {0, 0, channel, messages::encode(message)};
 }
 
 /// Three beams ahead, all 2 m long; 0.05 s from beam to beam.

@@ -45,7 +45,7 @@ pico::laser_scan_t irregular(std::int64_t utime) {
 class ReadLogScans : public ::testing::Test {
  protected:
   void write(const std::string& channel, const pico::laser_scan_t& message) {
-    const auto bytes = detail::encode(message);
+    const auto bytes = messages::encode(message);
     writer_.write(channel, message.utime, bytes.data(), bytes.size());
   }
   void write_broken() { writer_.write(channel::laser, 0, "broken", 6); }

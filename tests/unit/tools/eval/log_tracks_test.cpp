@@ -17,7 +17,7 @@ LogEvent local_map(std::int64_t session, std::int64_t utime, std::int64_t zero_u
   message.zero_utime = zero_utime;
   message.robot_in_local = to_message(Position{1.0, 2.0, 0.5});
   message.robot_in_zero = to_message(Position{3.0, 4.0, 0.25});
-  return {0, 0, channel, detail::encode(message)};
+  return {0, 0, channel, messages::encode(message)};
 }
 
 std::vector<Track> tracks_of(const std::vector<LogEvent>& events) {

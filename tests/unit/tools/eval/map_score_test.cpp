@@ -25,7 +25,7 @@ constexpr std::int64_t kScans = 40;  // four seconds
 template <class Message>
 LogEvent event(const char* channel, Message message, std::int64_t seq) {
   set_stamp(message, {kFirst + seq * kPeriod, 7, seq});
-  return {0, 0, channel, detail::encode(message)};
+  return {0, 0, channel, messages::encode(message)};
 }
 
 /// A standing robot in the left room, two metres before the doorway, that looks all around.
