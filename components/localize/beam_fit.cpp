@@ -14,7 +14,8 @@ double normal_density(double difference, double sigma) {
 
 /// Density of a range [1/m].
 double density(double range, const Met& met, const BeamFitParameters& parameters) {
-  double density = parameters.anything / parameters.max_range;
+  const bool is_behind = range > met.face + parameters.through;
+  double density = (is_behind ? parameters.behind : parameters.anything) / parameters.max_range;
   if (std::isinf(met.face) && std::isinf(met.door)) return density;
   const bool has_door = std::isfinite(met.door);
   const double open = has_door ? 1.0 - parameters.shut : 1.0;

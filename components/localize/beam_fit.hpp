@@ -26,6 +26,8 @@ struct BeamFitParameters {
   double hit = 0.6;         ///< share of the beams that end where the map says
   double in_front = 0.35;   ///< share that end at something unknown before that
   double anything = 0.05;   ///< share that measure anything
+  double behind = 1e-8;     ///< share that measure anything behind a wall: people look like boxes,
+                            ///< but nobody sees through walls
   double shut = 0.5;        ///< how often a door is shut
   double through = 0.2;     ///< [m] a range longer than the map says by more goes through a wall
   double max_range = 10.0;  ///< [m] of the beams that measure anything

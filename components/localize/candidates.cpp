@@ -12,41 +12,6 @@
 namespace perceptor::localize {
 namespace {
 
-/// [m] of the line that lies on a front, doors that may be shut included.
-double on_front(const Front& front, const Line& line) {
-  const Interval extent = extent_on(front.line, line);
-  double covered = 0.0;
-  for (const auto* pieces : {&front.pieces, &front.gaps})
-    for (const Interval& piece : *pieces)
-      covered += std::max(0.0, common_part(piece, extent).length());
-  return std::min(covered, line.length);
-}
-
-double angle_of(const Line& line) { return std::atan2(line.along.y(), line.along.x()); }
-
-Line moved(const Position& frame_in_new, const Line& line) {
-  Line moved = line;
-  moved.middle = perceptor::transform(frame_in_new, line.middle);
-  moved.along = perceptor::transform({0.0, 0.0, frame_in_new.a}, line.along);
-  moved.normal = perpendicular(moved.along);
-  return moved;
-}
-
-double explained_length(const World& world, const std::vector<LocalWall>& walls,
-                        const Position& local_in_world, const CandidateParameters& parameters) {
-  double explained = 0.0;
-  for (const LocalWall& wall : walls) {
-    const Line line = moved(local_in_world, wall.line);
-    double most = 0.0;
-    world.for_fronts_along(angle_of(line), parameters.max_angle, [&](const Front& front) {
-      const double offset = front.line.normal.dot(line.middle - front.line.middle);
-      if (std::abs(offset) < parameters.max_offset) most = std::max(most, on_front(front, line));
-    });
-    explained += most;
-  }
-  return explained;
-}
-
 /// Poses in cells of place and heading: of those in one cell the best is kept.
 class Cells {
  public:
@@ -150,7 +115,7 @@ class Finder {
     for (const Front& on_p : world_.fronts()) {
       if (on_p.length < parameters_.min_share * p.length) continue;
       world_.for_fronts_along(
-          angle_of(on_p.line) + between, parameters_.max_angle, [&](const Front& on_q) {
+          angle(on_p.line.along) + between, parameters_.max_angle, [&](const Front& on_q) {
             if (on_q.length < parameters_.min_share * q.length) return;
             const double error = angle_difference(between, turn_between(on_p.line, on_q.line));
             const double turn = turn_between(p, on_p.line) + error / 2.0;
@@ -170,11 +135,12 @@ class Finder {
   }
 
   bool lies_on(const Line& line, const Front& front, const Position& pose) const {
-    return on_front(front, moved(pose, line)) >= parameters_.min_share * line.length;
+    return length_on(front, transform(pose, line)) >= parameters_.min_share * line.length;
   }
 
   void add(const Position& pose) {
-    if (!cells_.has(pose)) cells_.add({pose, explained_length(world_, walls_, pose, parameters_)});
+    if (!cells_.has(pose))
+      cells_.add({pose, explained_length(world_, walls_, pose, tolerance_of(parameters_))});
   }
 
   const World& world_;
@@ -184,6 +150,10 @@ class Finder {
 };
 
 }  // namespace
+
+LayTolerance tolerance_of(const CandidateParameters& parameters) {
+  return {parameters.max_angle, parameters.max_offset};
+}
 
 std::vector<Candidate> find_candidates(const World& world, const std::vector<LocalWall>& walls,
                                        const CandidateParameters& parameters) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "common/geometry/position.hpp"
-#include "components/localize/local_wall.hpp"
+#include "components/localize/laid_walls.hpp"
 #include "components/localize/world.hpp"
 
 namespace perceptor::localize {
@@ -33,6 +33,8 @@ struct Candidate {
   Position local_in_world;
   double explained = 0.0;  ///< [m] of wall that lies on a front
 };
+
+LayTolerance tolerance_of(const CandidateParameters& parameters);
 
 /// Best first; in an order that depends on nothing but walls and world.
 std::vector<Candidate> find_candidates(const World& world, const std::vector<LocalWall>& walls,

@@ -43,6 +43,7 @@ void describe(config::Fields& fields, BeamFitParameters& p) {
   fields.number("hit", p.hit, kShare, "share of the beams that end where the map says");
   fields.number("in_front", p.in_front, kShare, "share that end at something unknown before that");
   fields.number("anything", p.anything, {1e-6, 1.0}, "share that measure anything");
+  fields.number("behind", p.behind, {1e-9, 1.0}, "share that measure anything behind a wall");
   fields.number("shut", p.shut, kShare, "how often a door is shut");
   fields.number("through", p.through, kMetres,
                 "[m] a range longer than the map says by more goes through a wall");
@@ -62,8 +63,15 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.number("view", p.view, {1e-3, 100.0},
                 "[m] after moving so far a scan is evidence of its own");
   fields.number("view_angle", p.view_angle, {1e-3, 100.0}, "[rad] or after turning so far");
+  fields.number("turned_views", p.turned_views, {0.0, 100.0},
+                "turning around shows no more than so many");
+  fields.number("view_exponent", p.view_exponent, kShare,
+                "evidence of the views: 0 that of one, 1 that of each anew");
   fields.number("max_through", p.max_through, kShare,
                 "share of the beams through walls: no place with more is in the running");
+  fields.number("long_wall", p.long_wall, kMetres, "[m] boxes are rarely as long");
+  fields.number("strange_wall", p.strange_wall, {0.0, 1e6},
+                "log likelihood lost for each metre of a long wall that the map does not have");
   fields.number("same_place", p.same_place, kMetres, "[m] hypotheses this close are one");
   fields.number("same_heading", p.same_heading, kAngle, "[rad] the same");
 }
@@ -80,8 +88,6 @@ void describe(config::Fields& fields, ClaimParameters& p) {
   fields.integer("min_keyframes", p.min_keyframes, {1, 1000}, "that were seen from the place");
   fields.integer("min_leads", p.min_leads, {1, 1000}, "on which it beats the runner-up");
   fields.number("margin", p.margin, {0.0, 1e6}, "of log likelihood over the runner-up");
-  fields.number("explained_lead", p.explained_lead, kShare,
-                "of the share explained over any other place's, for one view; less for more");
   fields.number("lost_margin", p.lost_margin, {0.0, 1e6},
                 "another place this much better ends a claim");
   fields.number("min_explained", p.min_explained, kShare,

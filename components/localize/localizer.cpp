@@ -163,11 +163,8 @@ bool Localizer::is_claimed() const {
   if (best.by_keyframe.size() < static_cast<std::size_t>(claim.min_keyframes)) return false;
   if (best.explained < claim.min_explained) return false;
   if (places_.size() < 2) return true;
-  const double most = best.explained - claim.explained_lead / views(keyframes_, parameters_.search);
-  const auto is_worse = [&](const Hypothesis& place) { return place.explained <= most; };
   return best.log_likelihood - places_[1].log_likelihood >= claim.margin &&
-         count_leads(best, places_[1]) >= claim.min_leads &&
-         std::all_of(places_.begin() + 1, places_.end(), is_worse);
+         count_leads(best, places_[1]) >= claim.min_leads;
 }
 
 bool Localizer::is_ambiguous() const {

@@ -35,14 +35,12 @@ struct KeyframeParameters {
 };
 
 struct ClaimParameters {
-  int min_keyframes = 3;         ///< that were seen from the place
-  int min_leads = 3;             ///< of those, on which it beats the runner-up
-  double margin = 30.0;          ///< of the log likelihood over the runner-up's
-  double explained_lead = 0.15;  ///< of the share explained over that of any other place, for one
-                                 ///< view; less for more
-  double lost_margin = 10.0;     ///< another place this much better ends a claim
-  double min_explained = 0.4;    ///< share of the beams that end where the map says
-  int ambiguous_keyframes = 8;   ///< after so many a place without a margin is called ambiguous
+  int min_keyframes = 3;        ///< that were seen from the place
+  int min_leads = 3;            ///< of those, on which it beats the runner-up
+  double margin = 55.0;         ///< of the log likelihood over the runner-up's
+  double lost_margin = 10.0;    ///< another place this much better ends a claim
+  double min_explained = 0.4;   ///< share of the beams that end where the map says
+  int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
 };
 
 struct WatchParameters {

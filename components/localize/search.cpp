@@ -9,7 +9,8 @@ namespace perceptor::localize {
 namespace {
 
 Hypothesis judge(const World& world, const Position& local_in_world,
-                 const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
+                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
+                 const SearchParameters& parameters) {
   Hypothesis hypothesis;
   hypothesis.local_in_world = local_in_world;
   for (const Keyframe& keyframe : keyframes) {
@@ -20,9 +21,12 @@ Hypothesis judge(const World& world, const Position& local_in_world,
     hypothesis.explained += fit.explained / static_cast<double>(keyframes.size());
     hypothesis.through += fit.through / static_cast<double>(keyframes.size());
   }
-  if (!keyframes.empty())
-    hypothesis.log_likelihood *=
-        std::sqrt(views(keyframes, parameters)) / static_cast<double>(keyframes.size());
+  hypothesis.log_likelihood /= static_cast<double>(keyframes.size());
+  hypothesis.log_likelihood -=
+      parameters.strange_wall * strange_length(world, walls, local_in_world,
+                                               tolerance_of(parameters.candidates),
+                                               parameters.long_wall);
+  hypothesis.log_likelihood *= std::pow(views(keyframes, parameters), parameters.view_exponent);
   return hypothesis;
 }
 
@@ -58,6 +62,7 @@ std::vector<Position> most_likely(const World& world, const std::vector<Candidat
   rated.reserve(candidates.size());
   BeamFitParameters coarse = parameters.beams;
   coarse.sigma = parameters.glance_sigma;
+  coarse.behind = coarse.anything;
   for (const Candidate& candidate : candidates)
     rated.emplace_back(glance(world, candidate.local_in_world, glances, coarse),
                        candidate.local_in_world);
@@ -94,14 +99,15 @@ Position climb(const World& world, const Position& local_in_world,
 }  // namespace
 
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
-  double views = 1.0;
+  double moved = 0.0;
+  double turned = 0.0;
   for (std::size_t i = 1; i < keyframes.size(); ++i) {
     const Position step = relative(keyframes[i - 1].robot_in_local, keyframes[i].robot_in_local);
-    const double share =
-        step.location().norm() / parameters.view + std::abs(step.a) / parameters.view_angle;
-    views += std::min(1.0, share);
+    moved += step.location().norm();
+    turned += std::abs(step.a);
   }
-  return views;
+  return 1.0 + moved / parameters.view +
+         std::min(parameters.turned_views, turned / parameters.view_angle);
 }
 
 bool is_same_place(const Position& p, const Position& q, const SearchParameters& parameters) {
@@ -123,7 +129,8 @@ std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>&
   }
   std::vector<Hypothesis> all;
   all.reserve(poses.size());
-  for (const Position& pose : poses) all.push_back(judge(world, pose, keyframes, parameters));
+  for (const Position& pose : poses)
+    all.push_back(judge(world, pose, walls, keyframes, parameters));
   const auto looks_through = [&](const Hypothesis& place) {
     return place.through > parameters.max_through;
   };

@@ -20,14 +20,20 @@ struct SearchParameters {
   CandidateParameters candidates;
   AlignmentParameters alignment;
   BeamFitParameters beams;
-  int glance_every = 3;        ///< of the beams: to choose among candidates
-  double glance_sigma = 0.12;  ///< [m] of a range, with a candidate's own error
-  int glances = 150;           ///< candidates that are looked at closer
-  double climb = 0.1;          ///< [m] and [rad] first step uphill from these, then its halves
-  double climb_end = 0.01;     ///< [m] and [rad] the least step
-  double view = 0.5;           ///< [m] after moving so far a scan is evidence of its own
-  double view_angle = 2.0;     ///< [rad] or after turning so far
+  int glance_every = 3;         ///< of the beams: to choose among candidates
+  double glance_sigma = 0.12;   ///< [m] of a range, with a candidate's own error
+  int glances = 150;            ///< candidates that are looked at closer
+  double climb = 0.1;           ///< [m] and [rad] first step uphill from these, then its halves
+  double climb_end = 0.01;      ///< [m] and [rad] the least step
+  double view = 0.5;            ///< [m] after moving so far a scan is evidence of its own
+  double view_angle = 2.0;      ///< [rad] or after turning so far
+  double turned_views = 2.0;    ///< turning around shows no more than so many
+  double view_exponent = 0.75;  ///< of the views: 0 if all were wrong in the same way, 1 if each
+                                ///< were wrong in its own
   double max_through = 0.04;   ///< share of the beams through walls; a place with more is out
+  double long_wall = 0.8;      ///< [m] boxes are rarely as long
+  double strange_wall = 10.0;  ///< log likelihood lost for each metre of a long wall that the map
+                               ///< does not have
   double same_place = 0.4;     ///< [m] hypotheses this close are one
   double same_heading = 0.3;   ///< [rad] the same
 };
@@ -35,7 +41,8 @@ struct SearchParameters {
 /// A place that explains what the robot saw.
 struct Hypothesis {
   Position local_in_world;
-  double log_likelihood = 0.0;      ///< mean of the keyframes, times the root of the views
+  double log_likelihood = 0.0;      ///< mean of the keyframes, less what strange walls cost, times
+                                    ///< the evidence of the views
   std::vector<double> by_keyframe;  ///< of each
   double explained = 0.0;           ///< share of the beams, mean over the keyframes
   double through = 0.0;             ///< share that go through walls
