@@ -26,12 +26,14 @@ global_map::GlobalMap read_map(const LocalizeConfig& config) {
   }
 }
 
-bool is_before(const pico::laser_scan_t& scan, const pico::map_t& map) {
-  return scan.session == map.session ? scan.seq < map.seq : scan.utime < map.utime;
+template <class Message>
+bool is_before(const Message& message, const pico::map_t& map) {
+  return message.session == map.session ? message.seq < map.seq : message.utime < map.utime;
 }
 
-bool is_of(const pico::laser_scan_t& scan, const pico::map_t& map) {
-  return scan.session == map.session && scan.seq == map.seq;
+template <class Message>
+bool is_of(const Message& message, const pico::map_t& map) {
+  return message.session == map.session && message.seq == map.seq;
 }
 
 /// How the robot moved while the laser swept: as from the map before to this one.
@@ -79,8 +81,11 @@ LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
       channel::laser, kQueue,
       [this](const pico::laser_scan_t& scan, bool began_anew) { take_scan(scan, began_anew); });
   bus_.subscribe<pico::map_t>(
+      channel::current_map, kQueue,
+      [this](const pico::map_t& map, bool began_anew) { take_current_map(map, began_anew); });
+  bus_.subscribe<pico::map_t>(
       channel::local_map, kQueue,
-      [this](const pico::map_t& map, bool began_anew) { take_map(map, began_anew); });
+      [this](const pico::map_t& map, bool began_anew) { take_local_map(map, began_anew); });
   bus_.subscribe<pico::map_t>(channel::global_map, kGlobalQueue,
                               [this](const pico::map_t& map, bool) { check_id(map); });
 }
@@ -92,10 +97,25 @@ void LocalizeComponent::take_scan(const pico::laser_scan_t& scan, bool began_ane
   settle();
 }
 
-void LocalizeComponent::take_map(const pico::map_t& map, bool began_anew) {
+bool LocalizeComponent::is_whole(const std::string& channel, const pico::map_t& map) {
+  if (map.frame != "robot")
+    bus_.reject(channel, kWrongFrame);
+  else if (map.parts != 1)
+    bus_.reject(channel, kInParts);
+  return map.frame == "robot" && map.parts == 1;
+}
+
+void LocalizeComponent::take_current_map(const pico::map_t& map, bool began_anew) {
+  if (began_anew) currents_.clear();
+  if (!is_whole(channel::current_map, map)) return;
+  currents_.push_back(map);
+  if (currents_.size() > kQueue) currents_.pop_front();
+  settle();
+}
+
+void LocalizeComponent::take_local_map(const pico::map_t& map, bool began_anew) {
   if (began_anew) maps_.clear();
-  if (map.frame != "robot") return bus_.reject(channel::local_map, kWrongFrame);
-  if (map.parts != 1) return bus_.reject(channel::local_map, kInParts);
+  if (!is_whole(channel::local_map, map)) return;
   maps_.push_back(map);
   if (maps_.size() > kQueue) {
     bus_.reject(channel::local_map, kWithoutScan);
@@ -104,23 +124,28 @@ void LocalizeComponent::take_map(const pico::map_t& map, bool began_anew) {
   settle();
 }
 
-/// Pairs what has come, in the order of the maps. A scan before the next map has none.
+/// Puts together what has come of one scan, in the order of the local maps. What came before the
+/// next of these has none.
 void LocalizeComponent::settle() {
-  while (!maps_.empty() && !scans_.empty()) {
-    if (is_of(scans_.front(), maps_.front())) {
-      locate(scans_.front(), maps_.front());
-      scans_.pop_front();
-      maps_.pop_front();
-    } else if (is_before(scans_.front(), maps_.front())) {
-      scans_.pop_front();
-    } else {
-      bus_.reject(channel::local_map, kWithoutScan);
-      maps_.pop_front();
+  while (!maps_.empty()) {
+    const pico::map_t map = std::move(maps_.front());
+    const auto is_earlier = [&](const auto& message) { return is_before(message, map); };
+    std::erase_if(scans_, is_earlier);
+    std::erase_if(currents_, is_earlier);
+    if (scans_.empty() || currents_.empty()) {
+      maps_.front() = map;
+      return;
     }
+    maps_.pop_front();
+    if (is_of(scans_.front(), map) && is_of(currents_.front(), map))
+      locate(scans_.front(), currents_.front(), map);
+    else
+      bus_.reject(channel::local_map, kWithoutScan);
   }
 }
 
-void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t& map) {
+void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t& current,
+                               const pico::map_t& map) {
   const bool is_same_frame = last_map_ && last_map_->session == map.session &&
                              last_map_->zero_utime == map.zero_utime &&
                              last_map_->utime < map.utime;
@@ -133,6 +158,7 @@ void LocalizeComponent::locate(const pico::laser_scan_t& scan, const pico::map_t
   sight.utime = map.utime;
   sight.robot_in_local = to_model(map.robot_in_local);
   sight.walls = to_model(map);
+  sight.scan_walls = to_model(current);
   sight.ends = beam_ends(to_model(scan), twist_of(last_map_, map));
   last_map_ = map;
   last_map_->points.clear();

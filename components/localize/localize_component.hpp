@@ -1,7 +1,7 @@
 /// @file localize: where the robot is in the known building, one WORLD_POSITION for each
 /// LOCAL_MAP, and what it found of that building, a COMBINED_MAP now and then.
 ///
-/// in:  PICO_LASER, LOCAL_MAP (of the same scan), GLOBAL_MAP (only its id)
+/// in:  PICO_LASER, CURRENT_MAP and LOCAL_MAP of the same scan, GLOBAL_MAP (only its id)
 /// out: WORLD_POSITION, COMBINED_MAP
 ///
 /// The map file is read here too, so that localize needs nobody else to be there; GLOBAL_MAP tells
@@ -69,10 +69,12 @@ class LocalizeComponent {
  private:
   LocalizeComponent(const LocalizeConfig& config, const global_map::GlobalMap& building, Bus& bus);
   void take_scan(const pico::laser_scan_t& scan, bool began_anew);
-  void take_map(const pico::map_t& map, bool began_anew);
+  void take_current_map(const pico::map_t& map, bool began_anew);
+  void take_local_map(const pico::map_t& map, bool began_anew);
+  bool is_whole(const std::string& channel, const pico::map_t& map);
   void check_id(const pico::map_t& global_map);
   void settle();
-  void locate(const pico::laser_scan_t& scan, const pico::map_t& map);
+  void locate(const pico::laser_scan_t& scan, const pico::map_t& current, const pico::map_t& local);
   void combine(const localize::WorldPosition& position, const localize::Sight& sight,
                std::int64_t session);
 
@@ -85,8 +87,9 @@ class LocalizeComponent {
   bool was_tracking_ = false;
   std::optional<std::int64_t> combined_at_;  ///< [us] utime of the last COMBINED_MAP
   std::int64_t combined_maps_ = 0;           ///< messages so far
-  std::deque<pico::laser_scan_t> scans_;     ///< whose map may still come
-  std::deque<pico::map_t> maps_;             ///< whose scan may still come
+  std::deque<pico::laser_scan_t> scans_;     ///< whose maps may still come
+  std::deque<pico::map_t> currents_;         ///< whose local map may still come
+  std::deque<pico::map_t> maps_;             ///< local ones, whose scan may still come
   std::optional<pico::map_t> last_map_;      ///< without objects and points
 };
 

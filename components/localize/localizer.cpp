@@ -84,7 +84,7 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   const double seconds = seconds_between(tracked_->utime, sight.utime);
   PoseEstimate estimate = predict(tracked_->robot_in_world, motion, seconds, parameters_.motion);
   PoseEstimate published = estimate;
-  const std::vector<LocalWall> walls = local_walls(sight.walls, sight.utime);
+  const std::vector<LocalWall> walls = local_walls(sight.scan_walls, 0);
   double map_variance = tracked_->map_variance;
   AlignmentParameters tracking = parameters_.tracking;
   tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(map_variance));
@@ -123,19 +123,24 @@ void Localizer::ask(const Sight& sight) {
   for (const Hypothesis& place : places_) known.push_back(place.local_in_world);
   if (tracked_)
     known.push_back(compose(tracked_->robot_in_world.pose, inverse(sight.robot_in_local)));
-  answer_ = std::async(std::launch::async, [this, walls = std::move(walls),
-                                            known = std::move(known), keyframes = keyframes_] {
-    return search(world_, walls, keyframes, known, parameters_.search);
-  });
+  answer_ =
+      std::async(std::launch::async, [this, walls = std::move(walls), known = std::move(known),
+                                      keyframes = keyframes_, is_tracking = tracked_.has_value()] {
+        Answer answer;
+        if (is_tracking)
+          answer.own = judge(world_, known.back(), walls, keyframes, parameters_.search);
+        answer.places = search(world_, walls, keyframes, known, parameters_.search);
+        return answer;
+      });
 }
 
 void Localizer::take_answer(const Sight& sight) {
   if (!answer_.valid()) return;
   if (seconds_between(asked_, sight.utime) < parameters_.search_time) return;
-  places_ = answer_.get();
+  Answer answer = answer_.get();
+  places_ = std::move(answer.places);
   if (tracked_) {
-    // What is right now is told by the next answer: that this was wrong has to be seen.
-    if (!still_wins(sight)) take_claim_back();
+    if (answer.own) check_claim(*answer.own, sight);
     return;
   }
   if (!fits_together()) forget_older_half();
@@ -175,16 +180,17 @@ bool Localizer::is_ambiguous() const {
          best.log_likelihood - places_[1].log_likelihood < claim.margin;
 }
 
-/// Nothing else explains the keyframes better by a margin.
-bool Localizer::still_wins(const Sight& sight) const {
-  const Position here = tracked_->robot_in_world.pose;
-  const auto is_here = [&](const Hypothesis& place) {
-    return is_same_place(compose(place.local_in_world, sight.robot_in_local), here,
-                         parameters_.search);
-  };
-  const auto own = std::ranges::find_if(places_, is_here);
-  if (own == places_.end()) return !is_claimed();
-  return places_.front().log_likelihood - own->log_likelihood < parameters_.claim.lost_margin;
+/// Another pose that explains the keyframes better by a margin ends the claim; one close by mends
+/// it. What is right instead is told by the next answer: that this was wrong has to be seen.
+void Localizer::check_claim(const Hypothesis& own, const Sight& sight) {
+  if (places_.empty()) return;
+  const Hypothesis& best = places_.front();
+  if (best.log_likelihood - own.log_likelihood < parameters_.claim.lost_margin) return;
+  const PoseEstimate better = in_world(best, sight.robot_in_local, parameters_);
+  if (is_same_place(better.pose, tracked_->robot_in_world.pose, parameters_.search))
+    tracked_->robot_in_world = better;
+  else
+    take_claim_back();
 }
 
 void Localizer::guess(const Sight& sight, WorldPosition& position) const {

@@ -38,7 +38,7 @@ struct ClaimParameters {
   int min_keyframes = 3;        ///< that were seen from the place
   int min_leads = 3;            ///< of those, on which it beats the runner-up
   double margin = 55.0;         ///< of the log likelihood over the runner-up's
-  double lost_margin = 10.0;    ///< another place this much better ends a claim
+  double lost_margin = 15.0;    ///< another pose this much better ends a claim, or mends it
   double min_explained = 0.4;   ///< share of the beams that end where the map says
   int ambiguous_keyframes = 8;  ///< after so many a place without a margin is called ambiguous
 };
@@ -73,6 +73,7 @@ struct Sight {
   std::int64_t utime = 0;   ///< [us]
   Position robot_in_local;  ///< odometry's drift taken out by merge
   Map walls;                ///< of the local map, robot frame
+  Map scan_walls;           ///< of this scan alone, robot frame
   std::vector<BeamEnd> ends;
 };
 
@@ -101,6 +102,10 @@ class Localizer {
   void clear();
 
  private:
+  struct Answer {
+    std::vector<Hypothesis> places;  ///< best first
+    std::optional<Hypothesis> own;   ///< the claimed pose, as it was when asked
+  };
   struct Tracked {
     PoseEstimate robot_in_world;
     Position robot_in_local;
@@ -117,7 +122,7 @@ class Localizer {
   void forget_older_half();
   bool is_claimed() const;
   bool is_ambiguous() const;
-  bool still_wins(const Sight& sight) const;
+  void check_claim(const Hypothesis& own, const Sight& sight);
   void track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position);
   void guess(const Sight& sight, WorldPosition& position) const;
   void take_claim_back();
@@ -128,7 +133,7 @@ class Localizer {
   State state_ = State::searching;
   std::vector<Keyframe> keyframes_;
   std::optional<Tracked> tracked_;
-  std::future<std::vector<Hypothesis>> answer_;
+  std::future<Answer> answer_;
   std::int64_t asked_ = 0;                 ///< [us] utime of the scan that asked
   std::vector<Hypothesis> places_;         ///< the last answer, best first
   std::int64_t since_ = 0;                 ///< [us] walls seen before tell nothing

@@ -8,28 +8,6 @@
 namespace perceptor::localize {
 namespace {
 
-Hypothesis judge(const World& world, const Position& local_in_world,
-                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
-                 const SearchParameters& parameters) {
-  Hypothesis hypothesis;
-  hypothesis.local_in_world = local_in_world;
-  for (const Keyframe& keyframe : keyframes) {
-    const Position robot_in_world = compose(local_in_world, keyframe.robot_in_local);
-    const BeamFit fit = fit_beams(world, robot_in_world, keyframe.beams, parameters.beams);
-    hypothesis.by_keyframe.push_back(fit.log_likelihood);
-    hypothesis.log_likelihood += fit.log_likelihood;
-    hypothesis.explained += fit.explained / static_cast<double>(keyframes.size());
-    hypothesis.through += fit.through / static_cast<double>(keyframes.size());
-  }
-  hypothesis.log_likelihood /= static_cast<double>(keyframes.size());
-  hypothesis.log_likelihood -=
-      parameters.strange_wall * strange_length(world, walls, local_in_world,
-                                               tolerance_of(parameters.candidates),
-                                               parameters.long_wall);
-  hypothesis.log_likelihood *= std::pow(views(keyframes, parameters), parameters.view_exponent);
-  return hypothesis;
-}
-
 /// Some beams of the first and the last keyframe: enough to choose by.
 std::vector<Keyframe> glances_of(const std::vector<Keyframe>& keyframes,
                                  const SearchParameters& parameters) {
@@ -97,6 +75,28 @@ Position climb(const World& world, const Position& local_in_world,
 }
 
 }  // namespace
+
+Hypothesis judge(const World& world, const Position& local_in_world,
+                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
+                 const SearchParameters& parameters) {
+  Hypothesis hypothesis;
+  hypothesis.local_in_world = local_in_world;
+  for (const Keyframe& keyframe : keyframes) {
+    const Position robot_in_world = compose(local_in_world, keyframe.robot_in_local);
+    const BeamFit fit = fit_beams(world, robot_in_world, keyframe.beams, parameters.beams);
+    hypothesis.by_keyframe.push_back(fit.log_likelihood);
+    hypothesis.log_likelihood += fit.log_likelihood;
+    hypothesis.explained += fit.explained / static_cast<double>(keyframes.size());
+    hypothesis.through += fit.through / static_cast<double>(keyframes.size());
+  }
+  hypothesis.log_likelihood /= static_cast<double>(keyframes.size());
+  hypothesis.log_likelihood -=
+      parameters.strange_wall * strange_length(world, walls, local_in_world,
+                                               tolerance_of(parameters.candidates),
+                                               parameters.long_wall);
+  hypothesis.log_likelihood *= std::pow(views(keyframes, parameters), parameters.view_exponent);
+  return hypothesis;
+}
 
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
   double moved = 0.0;

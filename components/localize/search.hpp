@@ -30,12 +30,12 @@ struct SearchParameters {
   double turned_views = 2.0;    ///< turning around shows no more than so many
   double view_exponent = 0.75;  ///< of the views: 0 if all were wrong in the same way, 1 if each
                                 ///< were wrong in its own
-  double max_through = 0.04;   ///< share of the beams through walls; a place with more is out
-  double long_wall = 0.8;      ///< [m] boxes are rarely as long
-  double strange_wall = 10.0;  ///< log likelihood lost for each metre of a long wall that the map
-                               ///< does not have
-  double same_place = 0.4;     ///< [m] hypotheses this close are one
-  double same_heading = 0.3;   ///< [rad] the same
+  double max_through = 0.04;    ///< share of the beams through walls; a place with more is out
+  double long_wall = 0.8;       ///< [m] boxes are rarely as long
+  double strange_wall = 10.0;   ///< log likelihood lost for each metre of a long wall that the map
+                                ///< does not have
+  double same_place = 0.4;      ///< [m] hypotheses this close are one
+  double same_heading = 0.3;    ///< [rad] the same
 };
 
 /// A place that explains what the robot saw.
@@ -47,6 +47,11 @@ struct Hypothesis {
   double explained = 0.0;           ///< share of the beams, mean over the keyframes
   double through = 0.0;             ///< share that go through walls
 };
+
+/// How well a place explains what was seen. `walls` in the local frame; at least one keyframe.
+Hypothesis judge(const World& world, const Position& local_in_world,
+                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
+                 const SearchParameters& parameters);
 
 /// Best first, no two at one place. `walls` in the local frame; at least one keyframe. Poses of the
 /// local frame in the world that are `known` compete too.

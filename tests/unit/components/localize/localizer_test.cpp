@@ -41,6 +41,16 @@ TEST(BeamFit, ShutDoorExplainsBeams) {
   EXPECT_EQ(fit_beams(World(map), {}, beams, {}).explained, 1.0);
 }
 
+TEST(BeamFit, NobodySeesThroughWallsButThingsMayStandBefore) {
+  const World world(angled_room().map);
+  const auto fit = [&](double range) {
+    return fit_beams(world, {1.0, 1.0, 0.0}, {{{0.0, 0.0}, {-1.0, 0.0}, range}}, {});
+  };
+  EXPECT_GT(fit(0.5).log_likelihood, fit(1.5).log_likelihood + 10.0);
+  EXPECT_EQ(fit(0.5).through, 0.0);
+  EXPECT_EQ(fit(1.5).through, 1.0);
+}
+
 TEST(ChooseBeams, TakesThemFromAllOverTheScanAndLeavesOutliersOut) {
   const Building building = angled_room();
   auto ends = beam_ends(test::sweep(building.scene, test::pico_laser(), {2.0, 1.1, 0.0}));
@@ -127,6 +137,31 @@ TEST(Candidates, OneWallInViewIsSlidAlongAllFronts) {
     return distance(candidate.local_in_world.location(), local_in_world.location()) < 0.15 &&
            std::abs(angle_difference(candidate.local_in_world.a, local_in_world.a)) < 0.02;
   }));
+}
+
+TEST(LaidWalls, LongWallsThatTheMapDoesNotHaveAreStrange) {
+  const Building building = angled_room();
+  const World world(building.map);
+  const Position local_in_world{2.0, 1.1, 0.3};
+  std::vector<LocalWall> walls = local_walls(walls_in(building, local_in_world, 1), 0);
+  const auto strange = [&](const Position& place) {
+    return strange_length(world, walls, place, {}, 0.8);
+  };
+  EXPECT_EQ(strange(local_in_world), 0.0);
+  EXPECT_NEAR(explained_length(world, walls, local_in_world, {}), 18.0, 1e-6);
+  walls.front().segment.b = walls.front().segment.a + 0.5 * walls.front().line.along;
+  walls.front().line = line_of(walls.front().segment);
+  const Position aside = local_in_world + Position{0.5, 0.5, 0.0};
+  EXPECT_NEAR(strange(aside), 18.0 - 5.0, 1e-6);
+}
+
+TEST(Views, TurningAroundShowsNoMoreThanTwo) {
+  std::vector<Keyframe> keyframes(1);
+  EXPECT_EQ(views(keyframes, {}), 1.0);
+  for (int i = 1; i <= 12; ++i) keyframes.push_back({{0.0, 0.0, wrap_angle(i * 1.0)}, {}, 0.0});
+  EXPECT_EQ(views(keyframes, {}), 3.0);
+  keyframes.push_back({{1.0, 0.0, 0.0}, {}, 0.0});
+  EXPECT_EQ(views(keyframes, {}), 5.0);
 }
 
 /// A robot that turns in place, and then drives on, somewhere in a building.
