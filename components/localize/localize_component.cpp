@@ -26,6 +26,21 @@ global_map::GlobalMap read_map(const LocalizeConfig& config) {
   }
 }
 
+std::optional<localize::StartHint> hint_of(const LocalizeConfig& config, const Map& building) {
+  using Start = LocalizeConfig::Start;
+  const LocalizeConfig::StartConfig& start = config.start;
+  if (start.from == Start::anywhere) return std::nullopt;
+  localize::StartHint hint{
+      .pose = std::nullopt, .areas = {}, .distance = start.distance, .angle = start.angle};
+  if (start.from == Start::pose) hint.pose = start.pose;
+  if (start.from == Start::start_area)
+    for (const Object& object : building.objects)
+      if (object.type == ObjectType::start_area) hint.areas.push_back(corners(building, object));
+  if (!hint.pose && hint.areas.empty())
+    throw config::Error("/start/from: start_area, but the map " + config.map + " has none");
+  return hint;
+}
+
 template <class Message>
 bool is_before(const Message& message, const pico::map_t& map) {
   return message.session == map.session ? message.seq < map.seq : message.utime < map.utime;
@@ -34,6 +49,16 @@ bool is_before(const Message& message, const pico::map_t& map) {
 template <class Message>
 bool is_of(const Message& message, const pico::map_t& map) {
   return message.session == map.session && message.seq == map.seq;
+}
+
+/// False where the oldest had to go.
+template <class Message>
+bool keep(std::deque<Message>& queue, const Message& message, bool began_anew) {
+  if (began_anew) queue.clear();
+  queue.push_back(message);
+  if (queue.size() <= kQueue) return true;
+  queue.pop_front();
+  return false;
 }
 
 /// How the robot moved while the laser swept: as from the map before to this one.
@@ -75,7 +100,7 @@ LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
       map_id_(building.id),
       combined_period_(config.combined_period),
       world_(building.map),
-      localizer_(world_, config.localize),
+      localizer_(world_, config.localize, hint_of(config, building.map)),
       combined_(world_, building.map, config.localize.search.beams, config.combined) {
   bus_.subscribe<pico::laser_scan_t>(
       channel::laser, kQueue,
@@ -91,56 +116,42 @@ LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
 }
 
 void LocalizeComponent::take_scan(const pico::laser_scan_t& scan, bool began_anew) {
-  if (began_anew) scans_.clear();
-  scans_.push_back(scan);
-  if (scans_.size() > kQueue) scans_.pop_front();
+  keep(scans_, scan, began_anew);
   settle();
 }
 
-bool LocalizeComponent::is_whole(const std::string& channel, const pico::map_t& map) {
-  if (map.frame != "robot")
-    bus_.reject(channel, kWrongFrame);
-  else if (map.parts != 1)
-    bus_.reject(channel, kInParts);
-  return map.frame == "robot" && map.parts == 1;
-}
-
 void LocalizeComponent::take_current_map(const pico::map_t& map, bool began_anew) {
-  if (began_anew) currents_.clear();
   if (!is_whole(channel::current_map, map)) return;
-  currents_.push_back(map);
-  if (currents_.size() > kQueue) currents_.pop_front();
+  keep(currents_, map, began_anew);
   settle();
 }
 
 void LocalizeComponent::take_local_map(const pico::map_t& map, bool began_anew) {
-  if (began_anew) maps_.clear();
   if (!is_whole(channel::local_map, map)) return;
-  maps_.push_back(map);
-  if (maps_.size() > kQueue) {
-    bus_.reject(channel::local_map, kWithoutScan);
-    maps_.pop_front();
-  }
+  if (!keep(maps_, map, began_anew)) bus_.reject(channel::local_map, kWithoutScan);
   settle();
+}
+
+bool LocalizeComponent::is_whole(const std::string& channel, const pico::map_t& map) {
+  const bool is_in_frame = map.frame == "robot";
+  if (!is_in_frame || map.parts != 1) bus_.reject(channel, is_in_frame ? kInParts : kWrongFrame);
+  return is_in_frame && map.parts == 1;
 }
 
 /// Puts together what has come of one scan, in the order of the local maps. What came before the
 /// next of these has none.
 void LocalizeComponent::settle() {
   while (!maps_.empty()) {
-    const pico::map_t map = std::move(maps_.front());
+    const pico::map_t& map = maps_.front();
     const auto is_earlier = [&](const auto& message) { return is_before(message, map); };
     std::erase_if(scans_, is_earlier);
     std::erase_if(currents_, is_earlier);
-    if (scans_.empty() || currents_.empty()) {
-      maps_.front() = map;
-      return;
-    }
-    maps_.pop_front();
+    if (scans_.empty() || currents_.empty()) return;
     if (is_of(scans_.front(), map) && is_of(currents_.front(), map))
       locate(scans_.front(), currents_.front(), map);
     else
       bus_.reject(channel::local_map, kWithoutScan);
+    maps_.pop_front();
   }
 }
 

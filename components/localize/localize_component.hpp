@@ -31,7 +31,18 @@
 namespace perceptor {
 
 struct LocalizeConfig {
+  enum class Start { anywhere, start_area, pose };
+
+  /// What is known of where the robot starts.
+  struct StartConfig {
+    Start from = Start::anywhere;
+    Position pose;          ///< world frame
+    double distance = 0.5;  ///< [m] from the pose, or outside the area
+    double angle = 0.5;     ///< [rad] from the pose
+  };
+
   std::string map = "hospital";  ///< a map's name in the folder `maps`, or its file
+  StartConfig start;
   localize::LocalizerParameters localize;
   localize::CombinedMapParameters combined;
   double combined_period = 0.2;      ///< [s] of scans from one COMBINED_MAP to the next
@@ -50,6 +61,7 @@ void describe(config::Fields& fields, UnknownObjectParameters& p);
 void describe(config::Fields& fields, CombinedMapParameters& p);
 }  // namespace localize
 
+void describe(config::Fields& fields, LocalizeConfig::StartConfig& start);
 void describe(config::Fields& fields, LocalizeConfig& config);
 
 class LocalizeComponent {

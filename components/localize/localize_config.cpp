@@ -1,3 +1,4 @@
+#include "common/config/robot.hpp"
 #include "components/localize/localize_component.hpp"
 
 namespace perceptor {
@@ -100,6 +101,9 @@ void describe(config::Fields& fields, WatchParameters& p) {
   fields.number("min_explained", p.min_explained, kShare,
                 "a scan that fits less speaks against the pose");
   fields.number("max_through", p.max_through, kShare, "or one with more beams through walls");
+  fields.number("poor_explained", p.poor_explained, kShare,
+                "or one that is poor in both: fits less than this");
+  fields.number("poor_through", p.poor_through, kShare, "and has more than this through walls");
   fields.number("time", p.time, {0.0, 60.0}, "[s] of such scans: lost");
   fields.number("period", p.period, {0.1, 3600.0}, "[s] until the claimed place has to win again");
 }
@@ -148,9 +152,22 @@ void describe(config::Fields& fields, CombinedMapParameters& p) {
 
 }  // namespace localize
 
+void describe(config::Fields& fields, LocalizeConfig::StartConfig& start) {
+  using Start = LocalizeConfig::Start;
+  fields.choice(
+      "from", start.from,
+      {{"anywhere", Start::anywhere}, {"start_area", Start::start_area}, {"pose", Start::pose}},
+      "what is known of where the robot starts; start_area: the map's");
+  fields.group("pose", start.pose, "[m, rad] in the world");
+  fields.number("distance", start.distance, {0.0, 100.0},
+                "[m] from that pose, or outside the start area");
+  fields.number("angle", start.angle, {0.0, 3.2}, "[rad] from that pose");
+}
+
 void describe(config::Fields& fields, LocalizeConfig& config) {
   localize::LocalizerParameters& p = config.localize;
   fields.text("map", config.map, "the building: a name in the folder maps, or a JSON file");
+  fields.group("start", config.start, "a hint; after the robot was lost it may be anywhere");
   fields.group("search", p.search, "all places of the building compete");
   fields.group("keyframes", p.keyframes, "the scans that they compete for");
   fields.group("claim", p.claim, "what makes a place certain");

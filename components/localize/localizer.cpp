@@ -20,6 +20,11 @@ PoseEstimate in_world(const Hypothesis& place, const Position& robot_in_local,
   return {compose(place.local_in_world, robot_in_local), variances.asDiagonal()};
 }
 
+bool speaks_against_pose(const BeamFit& fit, const WatchParameters& watch) {
+  const bool is_poor = fit.explained < watch.poor_explained && fit.through > watch.poor_through;
+  return fit.explained < watch.min_explained || fit.through > watch.max_through || is_poor;
+}
+
 int count_leads(const Hypothesis& best, const Hypothesis& second) {
   int leads = 0;
   for (std::size_t i = 0; i < best.by_keyframe.size(); ++i)
@@ -32,10 +37,13 @@ int count_leads(const Hypothesis& best, const Hypothesis& second) {
 void Localizer::clear() {
   lose(0);
   state_ = State::searching;
+  has_begun_ = false;
 }
 
 WorldPosition Localizer::update(const Sight& sight) {
   const std::vector<Beam> beams = choose_beams(sight.ends, parameters_.search.beams.beams);
+  if (!has_begun_ && hint_) start_in_local_ = sight.robot_in_local;
+  has_begun_ = true;
   WorldPosition position;
   if (tracked_) track(sight, beams, position);
   take_answer(sight);
@@ -101,8 +109,7 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
   const BeamFit fit = fit_beams(world_, estimate.pose, beams, parameters_.search.beams);
   position.explained = fit.explained;
   position.through = fit.through;
-  const bool is_bad = fit.explained < parameters_.watch.min_explained ||
-                      fit.through > parameters_.watch.max_through;
+  const bool is_bad = speaks_against_pose(fit, parameters_.watch);
   if (!is_bad) bad_since_.reset();
   if (is_bad && !bad_since_) bad_since_ = sight.utime;
   if (is_bad && seconds_between(*bad_since_, sight.utime) >= parameters_.watch.time)
@@ -111,27 +118,34 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
 
 bool Localizer::is_time_to_ask(std::int64_t utime) const {
   if (answer_.valid()) return false;
-  return !tracked_ || seconds_between(asked_, utime) >= parameters_.watch.period;
+  return !tracked_ || !checked_ || seconds_between(*checked_, utime) >= parameters_.watch.period;
 }
 
 void Localizer::ask(const Sight& sight) {
   asked_ = sight.utime;
-  std::vector<LocalWall> walls;
+  if (tracked_) checked_ = sight.utime;
+  Question question;
   for (const LocalWall& wall : local_walls(sight.walls, since_))
-    walls.push_back(transform(sight.robot_in_local, wall));
-  std::vector<Position> known;
-  for (const Hypothesis& place : places_) known.push_back(place.local_in_world);
-  if (tracked_)
-    known.push_back(compose(tracked_->robot_in_world.pose, inverse(sight.robot_in_local)));
-  answer_ =
-      std::async(std::launch::async, [this, walls = std::move(walls), known = std::move(known),
-                                      keyframes = keyframes_, is_tracking = tracked_.has_value()] {
-        Answer answer;
-        if (is_tracking)
-          answer.own = judge(world_, known.back(), walls, keyframes, parameters_.search);
-        answer.places = search(world_, walls, keyframes, known, parameters_.search);
-        return answer;
-      });
+    question.walls.push_back(transform(sight.robot_in_local, wall));
+  question.keyframes = keyframes_;
+  for (const Hypothesis& place : places_) question.known.push_back(place.local_in_world);
+  question.is_possible = is_possible();
+  std::optional<Position> own;
+  if (tracked_) own = compose(tracked_->robot_in_world.pose, inverse(sight.robot_in_local));
+  answer_ = std::async(std::launch::async, [this, own, question = std::move(question)] {
+    Answer answer;
+    if (own) answer.own = judge(world_, *own, question, parameters_.search);
+    answer.places = search(world_, question, parameters_.search);
+    return answer;
+  });
+}
+
+/// As the hint has it, until the robot was lost.
+std::function<bool(const Position&)> Localizer::is_possible() const {
+  if (!start_in_local_) return {};
+  return [hint = *hint_, start = *start_in_local_](const Position& local_in_world) {
+    return allows(hint, compose(local_in_world, start));
+  };
 }
 
 void Localizer::take_answer(const Sight& sight) {
@@ -148,12 +162,13 @@ void Localizer::take_answer(const Sight& sight) {
   state_ = State::tracking;
   tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
                      sight.robot_in_local, sight.utime, square(parameters_.tracking.map_sigma)};
+  checked_.reset();
 }
 
 /// Nowhere do all keyframes fit: the robot was carried away between them.
 bool Localizer::fits_together() const {
   return keyframes_.size() < static_cast<std::size_t>(parameters_.keyframes.count) ||
-         (!places_.empty() && places_.front().explained >= parameters_.watch.min_explained);
+         (!places_.empty() && places_.front().explained >= parameters_.claim.min_explained);
 }
 
 void Localizer::forget_older_half() {
@@ -165,7 +180,9 @@ bool Localizer::is_claimed() const {
   const ClaimParameters& claim = parameters_.claim;
   if (places_.empty()) return false;
   const Hypothesis& best = places_.front();
-  if (best.by_keyframe.size() < static_cast<std::size_t>(claim.min_keyframes)) return false;
+  const bool is_expected = start_in_local_ && hint_->pose;  // one view is enough
+  if (!is_expected && best.by_keyframe.size() < static_cast<std::size_t>(claim.min_keyframes))
+    return false;
   if (best.explained < claim.min_explained) return false;
   if (places_.size() < 2) return true;
   return best.log_likelihood - places_[1].log_likelihood >= claim.margin &&
@@ -203,6 +220,7 @@ void Localizer::guess(const Sight& sight, WorldPosition& position) const {
 }
 
 void Localizer::take_claim_back() {
+  start_in_local_.reset();
   state_ = State::lost;
   tracked_.reset();
 }

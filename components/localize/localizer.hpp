@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <future>
 #include <optional>
 #include <utility>
@@ -18,6 +19,7 @@
 
 #include "components/localize/alignment.hpp"
 #include "components/localize/search.hpp"
+#include "components/localize/start_hint.hpp"
 
 namespace perceptor::localize {
 
@@ -44,10 +46,12 @@ struct ClaimParameters {
 };
 
 struct WatchParameters {
-  double min_explained = 0.2;  ///< a scan that fits less speaks against the pose
-  double max_through = 0.15;   ///< or one with more beams through walls
-  double time = 0.7;           ///< [s] of such scans: lost
-  double period = 2.0;         ///< [s] until the claimed place has to win again
+  double min_explained = 0.2;   ///< a scan that fits less speaks against the pose
+  double max_through = 0.15;    ///< or one with more beams through walls
+  double poor_explained = 0.5;  ///< or one that is poor in both: fits less than this
+  double poor_through = 0.04;   ///< and has more than this through walls
+  double time = 0.4;            ///< [s] of such scans: lost
+  double period = 2.0;          ///< [s] until the claimed place has to win again
 };
 
 struct LocalizerParameters {
@@ -88,8 +92,9 @@ struct WorldPosition {
 
 class Localizer {
  public:
-  Localizer(World world, const LocalizerParameters& parameters)
-      : world_(std::move(world)), parameters_(parameters) {}
+  Localizer(World world, const LocalizerParameters& parameters,
+            std::optional<StartHint> hint = std::nullopt)
+      : world_(std::move(world)), parameters_(parameters), hint_(std::move(hint)) {}
 
   // A search that runs beside looks at this object.
   Localizer(const Localizer&) = delete;
@@ -98,7 +103,7 @@ class Localizer {
   /// Scans in order of utime, of one local frame.
   WorldPosition update(const Sight& sight);
 
-  /// Another local frame, or another time: nothing that was known holds.
+  /// Another local frame, or another time: nothing that was known holds but the hint.
   void clear();
 
  private:
@@ -118,6 +123,7 @@ class Localizer {
   bool is_time_to_ask(std::int64_t utime) const;
   void ask(const Sight& sight);
   void take_answer(const Sight& sight);
+  std::function<bool(const Position& local_in_world)> is_possible() const;
   bool fits_together() const;
   void forget_older_half();
   bool is_claimed() const;
@@ -130,11 +136,16 @@ class Localizer {
 
   World world_;
   LocalizerParameters parameters_;
+  std::optional<StartHint> hint_;
+  bool has_begun_ = false;                  ///< a scan has come
+  std::optional<Position> start_in_local_;  ///< of the first scan, while the hint holds
   State state_ = State::searching;
   std::vector<Keyframe> keyframes_;
   std::optional<Tracked> tracked_;
   std::future<Answer> answer_;
   std::int64_t asked_ = 0;                 ///< [us] utime of the scan that asked
+  std::optional<std::int64_t> checked_;    ///< [us] when it asked whether the claim is right: at
+                                           ///< once, and now and then
   std::vector<Hypothesis> places_;         ///< the last answer, best first
   std::int64_t since_ = 0;                 ///< [us] walls seen before tell nothing
   std::optional<std::int64_t> bad_since_;  ///< [us] scans speak against the pose

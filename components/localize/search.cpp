@@ -76,9 +76,9 @@ Position climb(const World& world, const Position& local_in_world,
 
 }  // namespace
 
-Hypothesis judge(const World& world, const Position& local_in_world,
-                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
+Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
                  const SearchParameters& parameters) {
+  const std::vector<Keyframe>& keyframes = question.keyframes;
   Hypothesis hypothesis;
   hypothesis.local_in_world = local_in_world;
   for (const Keyframe& keyframe : keyframes) {
@@ -91,7 +91,7 @@ Hypothesis judge(const World& world, const Position& local_in_world,
   }
   hypothesis.log_likelihood /= static_cast<double>(keyframes.size());
   hypothesis.log_likelihood -=
-      parameters.strange_wall * strange_length(world, walls, local_in_world,
+      parameters.strange_wall * strange_length(world, question.walls, local_in_world,
                                                tolerance_of(parameters.candidates),
                                                parameters.long_wall);
   hypothesis.log_likelihood *= std::pow(views(keyframes, parameters), parameters.view_exponent);
@@ -115,22 +115,25 @@ bool is_same_place(const Position& p, const Position& q, const SearchParameters&
          std::abs(angle_difference(p.a, q.a)) < parameters.same_heading;
 }
 
-std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
-                               const std::vector<Keyframe>& keyframes,
-                               const std::vector<Position>& known,
+std::vector<Hypothesis> search(const World& world, const Question& question,
                                const SearchParameters& parameters) {
-  std::vector<Position> poses = known;
+  const auto& [walls, keyframes, known, is_possible] = question;
+  const auto is_impossible = [&](const Position& pose) {
+    return is_possible && !is_possible(pose);
+  };
+  std::vector<Candidate> candidates = find_candidates(world, walls, parameters.candidates);
+  std::erase_if(candidates, [&](const Candidate& c) { return is_impossible(c.local_in_world); });
   const std::vector<Keyframe> glances = glances_of(keyframes, parameters);
-  for (const Position& candidate : most_likely(
-           world, find_candidates(world, walls, parameters.candidates), glances, parameters)) {
+  std::vector<Position> poses = known;
+  for (const Position& candidate : most_likely(world, candidates, glances, parameters)) {
     const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
     if (alignment) poses.push_back(alignment->frame_in_world.pose);
     poses.push_back(climb(world, candidate, glances, parameters));
   }
+  std::erase_if(poses, is_impossible);
   std::vector<Hypothesis> all;
   all.reserve(poses.size());
-  for (const Position& pose : poses)
-    all.push_back(judge(world, pose, walls, keyframes, parameters));
+  for (const Position& pose : poses) all.push_back(judge(world, pose, question, parameters));
   const auto looks_through = [&](const Hypothesis& place) {
     return place.through > parameters.max_through;
   };

@@ -1,6 +1,7 @@
 /// @file All places of the building compete for what the robot saw from its last poses.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "components/localize/alignment.hpp"
@@ -48,16 +49,20 @@ struct Hypothesis {
   double through = 0.0;             ///< share that go through walls
 };
 
-/// How well a place explains what was seen. `walls` in the local frame; at least one keyframe.
-Hypothesis judge(const World& world, const Position& local_in_world,
-                 const std::vector<LocalWall>& walls, const std::vector<Keyframe>& keyframes,
+/// What was seen, and what is known of where.
+struct Question {
+  std::vector<LocalWall> walls;     ///< local frame
+  std::vector<Keyframe> keyframes;  ///< at least one
+  std::vector<Position> known;      ///< poses of the local frame in the world: they compete too
+  std::function<bool(const Position& local_in_world)> is_possible;  ///< none: every place is
+};
+
+/// How well a place explains what was seen.
+Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
                  const SearchParameters& parameters);
 
-/// Best first, no two at one place. `walls` in the local frame; at least one keyframe. Poses of the
-/// local frame in the world that are `known` compete too.
-std::vector<Hypothesis> search(const World& world, const std::vector<LocalWall>& walls,
-                               const std::vector<Keyframe>& keyframes,
-                               const std::vector<Position>& known,
+/// Best first, no two at one place.
+std::vector<Hypothesis> search(const World& world, const Question& question,
                                const SearchParameters& parameters);
 
 /// How many scans' worth of evidence the keyframes are: what was seen from nearly one pose is wrong

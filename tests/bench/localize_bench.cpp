@@ -34,6 +34,7 @@ class Turning {
     sight.robot_in_local = robot;
     sight.walls = transform(building_, inverse(robot));
     for (Object& object : sight.walls.objects) object.last_seen = sight.utime;
+    sight.scan_walls = sight.walls;
     sight.ends = beam_ends(test::sweep(scene_, test::pico_laser(0.01), robot));
     return sight;
   }
@@ -79,15 +80,14 @@ void LocalizeSearch(benchmark::State& state) {
   Turning robot(building);
   const localize::World world(building);
   const localize::SearchParameters parameters;
-  std::vector<localize::Keyframe> keyframes;
+  localize::Question question;
   for (int i = 0; i < 12; ++i) {
     const localize::Sight sight = robot.at(0.25 * i);
-    keyframes.push_back(
+    question.keyframes.push_back(
         {sight.robot_in_local, localize::choose_beams(sight.ends, parameters.beams.beams)});
   }
-  const std::vector<localize::LocalWall> walls = localize::local_walls(building, 0);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(localize::search(world, walls, keyframes, {}, parameters));
+  question.walls = localize::local_walls(building, 0);
+  for (auto _ : state) benchmark::DoNotOptimize(localize::search(world, question, parameters));
 }
 BENCHMARK(LocalizeSearch)->Unit(benchmark::kMillisecond);
 

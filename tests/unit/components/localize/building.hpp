@@ -53,6 +53,7 @@ inline Sight sight(const Building& building, const test::Scene& scene,
   sight.utime = utime;
   sight.robot_in_local = robot_in_local;
   sight.walls = walls_in(building, robot_in_world, utime);
+  sight.scan_walls = sight.walls;
   sight.ends = beam_ends(test::sweep(scene, test::pico_laser(0.01), robot_in_world));
   return sight;
 }

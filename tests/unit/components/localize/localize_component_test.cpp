@@ -54,6 +54,11 @@ class LocalizeComponentTest : public testing::Test {
     }
   }
 
+  void send_scan(std::int64_t seq) {
+    send(channel::laser, scan(seq));
+    send(channel::current_map, map(seq));
+  }
+
   std::vector<std::int64_t> seqs() const {
     std::vector<std::int64_t> seqs;
     for (const auto& position : received_) seqs.push_back(position.seq);
@@ -84,7 +89,7 @@ using Seqs = std::vector<std::int64_t>;
 
 TEST_F(LocalizeComponentTest, OnePositionForEachScanWithItsMap) {
   for (std::int64_t seq = 1; seq <= 3; ++seq) {
-    send(channel::laser, scan(seq));
+    send_scan(seq);
     send(channel::local_map, map(seq));
   }
   ASSERT_EQ(seqs(), (Seqs{1, 2, 3}));
@@ -98,34 +103,51 @@ TEST_F(LocalizeComponentTest, WhichComesFirstDoesNotMatter) {
   send(channel::local_map, map(1));
   send(channel::local_map, map(2));
   EXPECT_TRUE(received_.empty());
-  send(channel::laser, scan(1));
-  send(channel::laser, scan(2));
+  send_scan(1);
+  send_scan(2);
   EXPECT_EQ(seqs(), (Seqs{1, 2}));
 }
 
+TEST_F(LocalizeComponentTest, WallsOfTheScanAreWaitedFor) {
+  send(channel::local_map, map(1));
+  send(channel::laser, scan(1));
+  EXPECT_TRUE(received_.empty());
+  send(channel::current_map, map(1));
+  EXPECT_EQ(seqs(), (Seqs{1}));
+}
+
+TEST_F(LocalizeComponentTest, MapWhoseWallsWereLostIsCounted) {
+  send(channel::laser, scan(1));
+  send(channel::local_map, map(1));
+  send_scan(2);
+  send(channel::local_map, map(2));
+  EXPECT_EQ(seqs(), (Seqs{2}));
+  EXPECT_EQ(rejected(channel::local_map), 1);
+}
+
 TEST_F(LocalizeComponentTest, ScanWithoutAMapIsPassedOver) {
-  for (const std::int64_t seq : {1, 2, 3}) send(channel::laser, scan(seq));
+  for (const std::int64_t seq : {1, 2, 3}) send_scan(seq);
   send(channel::local_map, map(3));
   EXPECT_EQ(seqs(), (Seqs{3}));
 }
 
 TEST_F(LocalizeComponentTest, MapWhoseScanWasLostIsCounted) {
   send(channel::local_map, map(1));
-  send(channel::laser, scan(2));
+  send_scan(2);
   send(channel::local_map, map(2));
   EXPECT_EQ(seqs(), (Seqs{2}));
   EXPECT_EQ(rejected(channel::local_map), 1);
 }
 
 TEST_F(LocalizeComponentTest, MapOfAnotherFrameIsTurnedDown) {
-  send(channel::laser, scan(1));
+  send_scan(1);
   send(channel::local_map, map(1, "local"));
   EXPECT_TRUE(received_.empty());
   EXPECT_EQ(rejected(channel::local_map), 1);
 }
 
 TEST_F(LocalizeComponentTest, GlobalMapOfAnotherBuildingIsCounted) {
-  send(channel::laser, scan(1));
+  send_scan(1);
   send(channel::local_map, map(1));
   pico::map_t global = map(1, "world");
   global.map_id = received_.at(0).map_id;
@@ -136,6 +158,13 @@ TEST_F(LocalizeComponentTest, GlobalMapOfAnotherBuildingIsCounted) {
   ++global.map_id;
   send(channel::global_map, global);
   EXPECT_EQ(rejected(channel::global_map), 1);
+}
+
+TEST_F(LocalizeComponentTest, StartAreaHasToBeOnTheMap) {
+  LocalizeConfig start = config();
+  start.start.from = LocalizeConfig::Start::start_area;
+  start.map = "office";
+  EXPECT_THROW(LocalizeComponent(start, bus_), config::Error);
 }
 
 TEST(LocalizeConfig, FileHoldsTheDefaults) {

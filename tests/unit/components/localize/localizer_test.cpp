@@ -167,11 +167,12 @@ TEST(Views, TurningAroundShowsNoMoreThanTwo) {
 /// A robot that turns in place, and then drives on, somewhere in a building.
 class Drive {
  public:
-  Drive(const Building& building, const Position& start)
+  Drive(const Building& building, const Position& start,
+        const std::optional<StartHint>& hint = std::nullopt)
       : building_(building),
         scene_(building.scene),
         start_(start),
-        localizer_(World(building.map), {}) {}
+        localizer_(World(building.map), {}, hint) {}
 
   WorldPosition turn(double radians) {
     WorldPosition last;
@@ -233,6 +234,35 @@ TEST(Localizer, SaysThatARoomIsAmbiguous) {
   EXPECT_EQ(position.state, State::searching);
   EXPECT_TRUE(position.ambiguous);
   EXPECT_GE(position.places, 2);
+}
+
+StartHint near(const Position& pose) { return {.pose = pose, .areas = {}}; }
+
+TEST(Localizer, RobotThatStandsStillIsFoundNearTheHint) {
+  Drive drive(plain_room(), {1.2, 1.0, 0.3}, near({1.5, 0.9, 0.1}));
+  WorldPosition position;
+  for (int i = 0; i < 10; ++i) position = drive.look();
+  ASSERT_EQ(position.state, State::tracking);
+  expect_near(position.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, StartAreaTellsApartWhatLooksAlike) {
+  const StartHint lower_left{.pose = std::nullopt,
+                             .areas = {{{0.0, 0.0}, {1.8, 0.0}, {1.8, 1.4}, {0.0, 1.4}}},
+                             .distance = 0.1};
+  Drive drive(plain_room(), {1.2, 1.0, 0.3}, lower_left);
+  const WorldPosition position = drive.turn(2.0);
+  ASSERT_EQ(position.state, State::tracking);
+  expect_near(position.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, HintEndsWhenTheRobotWasLost) {
+  Drive drive(angled_room(), {1.2, 2.9, -1.0}, near({1.2, 2.9, -1.0}));
+  ASSERT_EQ(drive.turn(1.5).state, State::tracking);
+  drive.kidnap({4.2, 1.0, 2.0});
+  const WorldPosition again = drive.turn(4.0);
+  ASSERT_EQ(again.state, State::tracking);
+  expect_near(again.robot_in_world->pose, drive.truth(), 0.01, 0.005);
 }
 
 TEST(Localizer, NoticesThatItWasCarriedAway) {
