@@ -117,6 +117,7 @@ void describe(config::Fields& fields, UnknownObjectParameters& p) {
   fields.number("most", p.most, kBeams, "a cell's count is no larger");
   fields.number("least", p.least, kBeams, "of a cell of a static object");
   fields.number("min_age", p.min_age, kSeconds, "[s] that such a cell was hit");
+  fields.number("lone_age", p.lone_age, kSeconds, "[s] the same, where no other cell is beside it");
   fields.number("pause", p.pause, kSeconds, "[s] without a beam, and that time begins anew");
   fields.number("object", p.object, kBeams, "least count of a static object, over its cells");
   fields.number("moving", p.moving, kBeams, "the same of a dynamic one");
@@ -177,6 +178,8 @@ void describe(config::Fields& fields, LocalizeConfig& config) {
   fields.number("map_time", p.map_time, {0.01, 3600.0},
                 "[s] in which is learnt how far the walls stand off the map");
   fields.number("min_map_sigma", p.min_map_sigma, {1e-6, 1.0}, "[m] they do at least");
+  fields.number("walls_together", p.walls_together, {1.0, 100.0},
+                "so many neighbours stand off it in the same way: their error counts as one");
   fields.number("search_time", p.search_time, {0.0, 10.0},
                 "[s] from the scan that asks to the first that may know; scans wait if a search "
                 "takes longer");

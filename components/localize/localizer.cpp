@@ -101,7 +101,7 @@ void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldP
     if (alignment->map_variance) map_variance += share * (*alignment->map_variance - map_variance);
     estimate = alignment->frame_in_world;
     published = estimate;
-    published.covariance += alignment->map_covariance;
+    published.covariance += parameters_.walls_together * alignment->map_covariance;
   }
   tracked_ = Tracked{estimate, sight.robot_in_local, sight.utime, map_variance};
   position.robot_in_world = published;

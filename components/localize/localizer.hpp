@@ -65,7 +65,9 @@ struct LocalizerParameters {
                      .still = 0.001};  ///< of the local map's own pose
   WatchParameters watch;
   double map_time = 5.0;         ///< [s] in which is learnt how far the walls stand off the map
-  double min_map_sigma = 0.003;  ///< [m] they do at least
+  double min_map_sigma = 0.001;  ///< [m] they do at least
+  double walls_together = 2.0;   ///< so many neighbours stand off it in the same way: their error
+                                 ///< counts as one
   double search_time = 0.3;      ///< [s] from the scan that asks where the robot is to the first
                                  ///< that may know; less than it takes, and scans have to wait
   double found_sigma = 0.1;      ///< [m] of the pose when it is claimed

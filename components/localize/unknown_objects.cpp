@@ -84,9 +84,8 @@ void UnknownObjects::hit(const Vector2& place, std::int64_t utime) {
   cell.count = std::min(parameters_.most, cell.count + parameters_.hit);
   ++cell.hits;
   cell.mean += (place - cell.mean) / cell.hits;
-  if (cell.count >= parameters_.least &&
-      seconds_between(cell.hit_since, utime) >= parameters_.min_age)
-    cell.is_static = true;
+  if (cell.count >= parameters_.least)
+    cell.stayed = std::max(cell.stayed, seconds_between(cell.hit_since, utime));
 }
 
 void UnknownObjects::forget_weakest() {
@@ -101,7 +100,7 @@ std::vector<UnknownObject> UnknownObjects::objects(std::int64_t utime) {
   std::vector<Cell*> static_cells;
   std::vector<Cell*> moving_cells;
   for (auto& [key, cell] : cells_) {
-    if (cell.is_static)
+    if (cell.stayed >= parameters_.min_age)
       static_cells.push_back(&cell);
     else if (seconds_between(cell.last_hit, utime) <= parameters_.fresh)
       moving_cells.push_back(&cell);
@@ -122,6 +121,7 @@ std::vector<UnknownObject> UnknownObjects::objects(std::int64_t utime) {
         own.insert(own.end(), apart, left->end());
         left->erase(apart, left->end());
       }
+      if (stay && own.size() == 1 && own.front()->stayed < parameters_.lone_age) continue;
       UnknownObject object;
       object.is_static = stay;
       object.first_seen = own.front()->first_hit;

@@ -23,6 +23,7 @@ struct UnknownObjectParameters {
   double most = 30.0;      ///< a cell's count is no larger: it can be forgotten
   double least = 6.0;      ///< of a static cell
   double min_age = 2.0;    ///< [s] that a cell was hit, then it is static until it is passed
+  double lone_age = 5.0;   ///< [s] the same of a cell alone: where people turn back they stay too
   double pause = 0.7;      ///< [s] without a beam, and that time begins anew
   double object = 20.0;    ///< least count of a static object, over its cells
   double moving = 3.0;     ///< least count of a dynamic one
@@ -71,8 +72,8 @@ class UnknownObjects {
     std::int64_t first_hit = 0;  ///< [us]
     std::int64_t hit_since = 0;  ///< [us] without a pause
     std::int64_t last_hit = 0;   ///< [us]
-    bool is_static = false;
-    std::int32_t id = 0;  ///< of the object it was part of; 0: none
+    double stayed = 0.0;         ///< [s] the longest without a pause
+    std::int32_t id = 0;         ///< of the object it was part of; 0: none
   };
 
   Key key_of(const Vector2& place) const;

@@ -153,6 +153,20 @@ TEST_F(CombinedMapTest, ForgetsAllWhenThePlaceWasWrong) {
   for (const Object& wall : objects(ObjectType::wall)) EXPECT_EQ(wall.reason, "unseen");
 }
 
+TEST(UnknownObjects, WhatIsNarrowHasToStayForLonger) {
+  UnknownObjects objects({});
+  std::int64_t utime = 0;
+  const auto statics_after = [&](double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 10.0); ++i) {
+      utime += 100'000;
+      objects.add({{{0.0, 0.0}, {1.0, 0.0}, 2.05}}, {true}, utime);
+    }
+    return std::ranges::count_if(objects.objects(utime), &UnknownObject::is_static);
+  };
+  EXPECT_EQ(statics_after(3.0), 0);
+  EXPECT_EQ(statics_after(3.0), 1);
+}
+
 TEST(UnknownObjects, AreBoundedInNumber) {
   UnknownObjectParameters parameters;
   parameters.max_cells = 50;
