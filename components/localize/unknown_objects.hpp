@@ -22,7 +22,7 @@ struct UnknownObjectParameters {
   double pass = 0.7;       ///< what one that passes through counts against it
   double most = 30.0;      ///< a cell's count is no larger: it can be forgotten
   double least = 6.0;      ///< of a static cell
-  double min_age = 2.0;    ///< [s] that a cell was hit, then it is static until it is passed
+  double min_age = 2.7;    ///< [s] that a cell was hit, then it is static until it is passed
   double lone_age = 5.0;   ///< [s] the same of a cell alone: where people turn back they stay too
   double pause = 0.7;      ///< [s] without a beam, and that time begins anew
   double object = 20.0;    ///< least count of a static object, over its cells

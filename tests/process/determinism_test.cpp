@@ -21,7 +21,7 @@ Payloads computed_live(const fs::path& log, const std::vector<std::string>& sour
   constexpr int kAttempts = 3;
   Finished check;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Recording recording(log);
+    Recording recording(log, {{"localize", {"--map", "hospital"}}});
     Process process(source);
     EXPECT_EQ(process.wait(Seconds(60)), 0) << source.front();
     EXPECT_TRUE(recording.stop());
@@ -35,7 +35,7 @@ Payloads computed_live(const fs::path& log, const std::vector<std::string>& sour
 }
 
 Payloads replayed(const fs::path& in, const fs::path& out) {
-  const Finished replay = run({program("pico-replay"), in, out});
+  const Finished replay = run({program("pico-replay"), in, out, "--map", "hospital"});
   EXPECT_EQ(replay.exit_code, 0) << replay.output;
   return computed_payloads(out);
 }
@@ -85,10 +85,12 @@ TEST(Determinism, LivePlayedAgainAndReplayedAreEqualByteForByte) {
   const fs::path log = scratch / "live.lcmlog";
   const Payloads live =
       computed_live(log, {program("pico-bridge"), "--world", "hospital", "--duration", kDriven});
-  ASSERT_EQ(live.size(), 6U) << "channels";
+  ASSERT_EQ(live.size(), 8U) << "channels";
   EXPECT_GT(live.at("POSITION").size(), 500U);
   EXPECT_GT(live.at("IDENTIFIED_MAP").size(), 400U);
   EXPECT_EQ(live.at("ENTRANCE").size(), live.at("IDENTIFIED_MAP").size());
+  EXPECT_GT(live.at("WORLD_POSITION").size(), 400U);
+  EXPECT_GT(live.at("COMBINED_MAP").size(), 50U);
 
   for (const std::string speed : {"1", "4"})
     expect_equal(live,

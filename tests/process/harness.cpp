@@ -146,7 +146,8 @@ Payloads computed_payloads(const fs::path& log) {
   LogReader reader(log);
   while (const auto event = reader.next()) {
     for (const char* channel : {channel::position, channel::proximity, channel::current_map,
-                                channel::local_map, channel::identified_map, channel::entrance})
+                                channel::local_map, channel::identified_map, channel::entrance,
+                                channel::world_position, channel::combined_map})
       if (event->channel == channel) payloads[channel].push_back(event->data);
   }
   return payloads;
@@ -156,13 +157,16 @@ Recording::Recording(const fs::path& log, const Options& options)
     : logger_({"lcm-logger", "-q", "-f", "-v", "-c", "LCM_SELF_TEST", log.string()}) {
   const auto recording = run({program("pico-watch"), "--wait-log", log.string()});
   if (recording.exit_code != 0) throw std::runtime_error(recording.output);
-  for (const std::string& name : kPerceiving) {
+  std::vector<std::string> names = kPerceiving;
+  for (const auto& [name, own] : options)
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  for (const std::string& name : names) {
     std::vector<std::string> command{program("pico-" + name)};
     if (const auto own = options.find(name); own != options.end())
       command.insert(command.end(), own->second.begin(), own->second.end());
     components_.push_back(std::make_unique<Process>(command));
   }
-  if (!status_.wait_for(kPerceiving)) throw std::runtime_error("not every component is ready");
+  if (!status_.wait_for(names)) throw std::runtime_error("not every component is ready");
 }
 
 bool Recording::stop() {

@@ -101,7 +101,8 @@ std::int64_t published(const pico::status_t& status, const std::string& channel)
 using Payloads = std::map<std::string, std::vector<std::vector<std::uint8_t>>>;
 Payloads computed_payloads(const std::filesystem::path& log);
 
-/// The five perceiving processes and lcm-logger, started in order; stopped in order.
+/// The five perceiving processes, others that the options name, and lcm-logger, started in order;
+/// stopped in order.
 class Recording {
  public:
   /// What each component gets on its command line beside its name; {"scan", {"--set", "a=b"}}.
