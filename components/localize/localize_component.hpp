@@ -86,7 +86,7 @@ class LocalizeComponent {
   bool is_whole(const std::string& channel, const pico::map_t& map);
   void check_id(const pico::map_t& global_map);
   void settle();
-  void locate(const pico::laser_scan_t& scan, const pico::map_t& current, const pico::map_t& local);
+  void locate(const pico::laser_scan_t& scan, const pico::map_t& current, const pico::map_t& map);
   void combine(const localize::WorldPosition& position, const localize::Sight& sight,
                std::int64_t session);
 

@@ -117,14 +117,15 @@ bool is_same_place(const Position& p, const Position& q, const SearchParameters&
 
 std::vector<Hypothesis> search(const World& world, const Question& question,
                                const SearchParameters& parameters) {
-  const auto& [walls, keyframes, known, is_possible] = question;
-  const auto is_impossible = [&](const Position& pose) {
-    return is_possible && !is_possible(pose);
+  const std::vector<LocalWall>& walls = question.walls;
+  const std::vector<Keyframe>& keyframes = question.keyframes;
+  const auto is_impossible = [&](const Position& local_in_world) {
+    return question.is_possible && !question.is_possible(local_in_world);
   };
   std::vector<Candidate> candidates = find_candidates(world, walls, parameters.candidates);
   std::erase_if(candidates, [&](const Candidate& c) { return is_impossible(c.local_in_world); });
   const std::vector<Keyframe> glances = glances_of(keyframes, parameters);
-  std::vector<Position> poses = known;
+  std::vector<Position> poses = question.known;
   for (const Position& candidate : most_likely(world, candidates, glances, parameters)) {
     const auto alignment = align(world, walls, {candidate, {}}, false, parameters.alignment);
     if (alignment) poses.push_back(alignment->frame_in_world.pose);
@@ -141,7 +142,7 @@ std::vector<Hypothesis> search(const World& world, const Question& question,
   std::ranges::stable_sort(all, std::ranges::greater{}, &Hypothesis::log_likelihood);
 
   // Two places are compared where the robot is now: that is what would be claimed.
-  const Position robot_in_local = keyframes.empty() ? Position{} : keyframes.back().robot_in_local;
+  const Position robot_in_local = keyframes.back().robot_in_local;
   std::vector<Hypothesis> apart;
   for (const Hypothesis& hypothesis : all) {
     const Position place = compose(hypothesis.local_in_world, robot_in_local);
