@@ -14,7 +14,7 @@ constexpr int kQueue = 200;  // five seconds of scans
 constexpr int kGlobalQueue = 4;
 constexpr std::string_view kWrongFrame = "not in the robot frame";
 constexpr std::string_view kInParts = "in parts";
-constexpr std::string_view kWithoutScan = "its scan never came";
+constexpr std::string_view kIncomplete = "its scan or CURRENT_MAP never came";
 constexpr std::string_view kOtherMap = "another map than the one read here";
 
 global_map::GlobalMap read_map(const LocalizeConfig& config) {
@@ -128,7 +128,7 @@ void LocalizeComponent::take_current_map(const pico::map_t& map, bool began_anew
 
 void LocalizeComponent::take_local_map(const pico::map_t& map, bool began_anew) {
   if (!is_whole(channel::local_map, map)) return;
-  if (!keep(maps_, map, began_anew)) bus_.reject(channel::local_map, kWithoutScan);
+  if (!keep(maps_, map, began_anew)) bus_.reject(channel::local_map, kIncomplete);
   settle();
 }
 
@@ -150,7 +150,7 @@ void LocalizeComponent::settle() {
     if (is_of(scans_.front(), map) && is_of(currents_.front(), map))
       locate(scans_.front(), currents_.front(), map);
     else
-      bus_.reject(channel::local_map, kWithoutScan);
+      bus_.reject(channel::local_map, kIncomplete);
     maps_.pop_front();
   }
 }
