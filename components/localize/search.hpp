@@ -31,7 +31,7 @@ struct SearchParameters {
   double turned_views = 2.0;    ///< turning around shows no more than so many
   double view_exponent = 0.75;  ///< of the views: 0 if all were wrong in the same way, 1 if each
                                 ///< were wrong in its own
-  double max_through = 0.04;    ///< share of the beams through walls; a place with more is out
+  double max_through = 0.15;    ///< share of the beams through walls; a place with more is out
   double long_wall = 0.8;       ///< [m] boxes are rarely as long
   double strange_wall = 10.0;   ///< log likelihood lost for each metre of a long wall that the map
                                 ///< does not have

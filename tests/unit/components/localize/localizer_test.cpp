@@ -169,10 +169,15 @@ class Drive {
  public:
   Drive(const Building& building, const Position& start,
         const std::optional<StartHint>& hint = std::nullopt)
-      : building_(building),
-        scene_(building.scene),
+      : Drive(building, building, start, hint) {}
+
+  /// Where the building is not as it was drawn.
+  Drive(const Building& drawn, const Building& built, const Position& start,
+        const std::optional<StartHint>& hint = std::nullopt)
+      : building_(built),
+        scene_(built.scene),
         start_(start),
-        localizer_(World(building.map), {}, hint) {}
+        localizer_(World(drawn.map), {}, hint) {}
 
   WorldPosition turn(double radians) {
     WorldPosition last;
@@ -296,6 +301,18 @@ TEST(Localizer, UnknownBoxesDoNotMatter) {
   const WorldPosition found = drive.turn(1.5);
   ASSERT_EQ(found.state, State::tracking);
   expect_near(found.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+}
+
+TEST(Localizer, WallThatIsGoneDoesNotHideTheRest) {
+  Building drawn = angled_room();
+  const Index gone = add_segment(drawn.map, {{1.8, 4.0}, {1.8, 2.9}}, ObjectType::wall);
+  drawn.map.objects[static_cast<std::size_t>(gone)].free_side = FreeSide::right;
+  const Building built = angled_room();
+  Drive drive(drawn, built, {1.2, 2.0, -1.0});
+  const WorldPosition found = drive.turn(4.0);
+  ASSERT_EQ(found.state, State::tracking);
+  expect_near(found.robot_in_world->pose, drive.truth(), 0.01, 0.005);
+  EXPECT_GT(found.through, 0.04);
 }
 
 TEST(Localizer, ClearForgetsAll) {
