@@ -282,6 +282,28 @@ TEST(Localizer, NoticesThatItWasCarriedAway) {
   expect_near(again.robot_in_world->pose, drive.truth(), 0.01, 0.005);
 }
 
+TEST(Localizer, BetterPoseCloseByMendsTheClaim) {
+  const Building corridor({{0.0, 0.0},
+                           {6.0, 0.0},
+                           {6.0, 1.4},
+                           {2.0, 1.4},
+                           {2.0, 2.2},
+                           {1.2, 2.2},
+                           {1.2, 1.4},
+                           {0.0, 1.4}});
+  Drive drive(corridor, {3.6, 0.7, 0.0});
+  ASSERT_EQ(drive.turn(6.0).state, State::tracking);
+  const Position before = drive.truth();
+  drive.kidnap({before.x + 0.2, before.y, before.a});
+  double last = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const WorldPosition position = drive.turn(0.5);
+    ASSERT_EQ(position.state, State::tracking);
+    last = distance(position.robot_in_world->pose.location(), drive.truth().location());
+  }
+  EXPECT_LT(last, 0.02);
+}
+
 TEST(Localizer, BearsBeingCarriedAroundAllTheTime) {
   Drive drive(angled_room(), {1.2, 2.9, -1.0});
   for (int i = 0; i < 20; ++i) {
