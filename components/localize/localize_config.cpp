@@ -51,6 +51,16 @@ void describe(config::Fields& fields, BeamFitParameters& p) {
   fields.number("max_range", p.max_range, {0.1, 1000.0}, "[m] of what measures anything");
 }
 
+void describe(config::Fields& fields, BeamAlignmentParameters& p) {
+  fields.integer("iterations", p.iterations, {1, 50}, "of least squares");
+  fields.number("reach", p.reach, kMetres, "[m] from the end of a beam to the wall that it is of");
+  fields.number("min_cosine", p.min_cosine, kShare, "between a beam and that wall's normal");
+  fields.number("map_sigma", p.map_sigma, kSmall, "[m] how far the real walls stand off the map");
+  fields.number("outlier", p.outlier, kSmall, "[m] an end this far off counts half");
+  fields.number("together", p.together, {1.0, 1000.0},
+                "so many beams err in the same way: they count as one");
+}
+
 void describe(config::Fields& fields, SearchParameters& p) {
   fields.group("candidates", p.candidates, "where the robot could be, from walls alone");
   fields.group("alignment", p.alignment, "how these are laid on the map");
@@ -73,6 +83,11 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.number("long_wall", p.long_wall, kMetres, "[m] boxes are rarely as long");
   fields.number("strange_wall", p.strange_wall, {0.0, 1e6},
                 "log likelihood lost for each metre of a long wall that the map does not have");
+  fields.integer("followed", p.followed, {0, 1000},
+                 "best places whose way is laid on the map keyframe by keyframe, for maps that are "
+                 "bent themselves; 0: the way is rigid");
+  fields.group("following", p.following, "how each keyframe is laid on the map then");
+  fields.group("bend", p.bend, "how much the way between keyframes may bend");
   fields.number("same_place", p.same_place, kMetres, "[m] hypotheses this close are one");
   fields.number("same_heading", p.same_heading, kAngle, "[rad] the same");
 }
@@ -172,7 +187,11 @@ void describe(config::Fields& fields, LocalizeConfig& config) {
   fields.group("search", p.search, "all places of the building compete");
   fields.group("keyframes", p.keyframes, "the scans that they compete for");
   fields.group("claim", p.claim, "what makes a place certain");
-  fields.group("tracking", p.tracking, "how the robot is followed");
+  fields.choice("track_by", p.track_by,
+                {{"walls", localize::TrackBy::walls}, {"beams", localize::TrackBy::beams}},
+                "of each scan; beams where the map's walls are off by decimetres");
+  fields.group("tracking", p.tracking, "how the robot is followed by walls");
+  fields.group("beam_tracking", p.beam_tracking, "how it is followed by beams");
   fields.group("motion", p.motion, "how much the local map's own pose errs");
   fields.group("watch", p.watch, "what takes a claim back");
   fields.number("map_time", p.map_time, {0.01, 3600.0},

@@ -32,6 +32,13 @@ int count_leads(const Hypothesis& best, const Hypothesis& second) {
   return leads;
 }
 
+/// As the places are that it is compared with.
+Hypothesis rate_claim(const World& world, const Position& local_in_world, const Question& question,
+                      const SearchParameters& parameters) {
+  return parameters.followed > 0 ? follow(world, local_in_world, question, parameters)
+                                 : judge(world, local_in_world, question, parameters);
+}
+
 }  // namespace
 
 void Localizer::clear() {
@@ -87,26 +94,43 @@ void Localizer::forget_one_of_many() {
   keyframes_.erase(keyframes_.begin() + static_cast<std::ptrdiff_t>(least));
 }
 
+void Localizer::lay_walls(const Sight& sight, double seconds, Tracked& tracked,
+                          PoseEstimate& published) const {
+  const std::vector<LocalWall> walls = local_walls(sight.scan_walls, 0);
+  AlignmentParameters tracking = parameters_.tracking;
+  tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(tracked.map_variance));
+  const auto alignment = align(world_, walls, tracked.robot_in_world, true, tracking);
+  if (!alignment) return;
+  const double share = 1.0 - std::exp(-seconds / parameters_.map_time);
+  if (alignment->map_variance)
+    tracked.map_variance += share * (*alignment->map_variance - tracked.map_variance);
+  tracked.robot_in_world = published = alignment->frame_in_world;
+  published.covariance += parameters_.walls_together * alignment->map_covariance;
+}
+
+/// The map's own error does not become less from scan to scan: it counts where the pose is
+/// published, and not in the one that the next scan begins with.
+void Localizer::lay_beams(const std::vector<Beam>& beams, Tracked& tracked,
+                          PoseEstimate& published) const {
+  const BeamAlignmentParameters& tracking = parameters_.beam_tracking;
+  tracked.robot_in_world = published = align_beams(world_, beams, tracked.robot_in_world, tracking);
+  published.covariance.topLeftCorner<2, 2>().diagonal().array() += square(tracking.map_sigma);
+}
+
 void Localizer::track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position) {
   const Position motion = relative(tracked_->robot_in_local, sight.robot_in_local);
   const double seconds = seconds_between(tracked_->utime, sight.utime);
-  PoseEstimate estimate = predict(tracked_->robot_in_world, motion, seconds, parameters_.motion);
-  PoseEstimate published = estimate;
-  const std::vector<LocalWall> walls = local_walls(sight.scan_walls, 0);
-  double map_variance = tracked_->map_variance;
-  AlignmentParameters tracking = parameters_.tracking;
-  tracking.map_sigma = std::max(parameters_.min_map_sigma, std::sqrt(map_variance));
-  if (const auto alignment = align(world_, walls, estimate, true, tracking)) {
-    const double share = 1.0 - std::exp(-seconds / parameters_.map_time);
-    if (alignment->map_variance) map_variance += share * (*alignment->map_variance - map_variance);
-    estimate = alignment->frame_in_world;
-    published = estimate;
-    published.covariance += parameters_.walls_together * alignment->map_covariance;
-  }
-  tracked_ = Tracked{estimate, sight.robot_in_local, sight.utime, map_variance};
+  tracked_->robot_in_world = predict(tracked_->robot_in_world, motion, seconds, parameters_.motion);
+  tracked_->robot_in_local = sight.robot_in_local;
+  tracked_->utime = sight.utime;
+  PoseEstimate published = tracked_->robot_in_world;
+  if (parameters_.track_by == TrackBy::beams)
+    lay_beams(beams, *tracked_, published);
+  else
+    lay_walls(sight, seconds, *tracked_, published);
   position.robot_in_world = published;
 
-  const BeamFit fit = fit_beams(world_, estimate.pose, beams, parameters_.search.beams);
+  const BeamFit fit = fit_beams(world_, published.pose, beams, parameters_.search.beams);
   position.explained = fit.explained;
   position.through = fit.through;
   const bool is_bad = speaks_against_pose(fit, parameters_.watch);
@@ -134,7 +158,7 @@ void Localizer::ask(const Sight& sight) {
   if (tracked_) own = compose(tracked_->robot_in_world.pose, inverse(sight.robot_in_local));
   answer_ = std::async(std::launch::async, [this, own, question = std::move(question)] {
     Answer answer;
-    if (own) answer.own = judge(world_, *own, question, parameters_.search);
+    if (own) answer.own = rate_claim(world_, *own, question, parameters_.search);
     answer.places = search(world_, question, parameters_.search);
     return answer;
   });

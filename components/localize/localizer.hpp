@@ -54,11 +54,19 @@ struct WatchParameters {
   double period = 2.0;          ///< [s] until the claimed place has to win again
 };
 
+/// By what the robot is followed.
+enum class TrackBy {
+  walls,  ///< those of each scan: where the map is exact
+  beams   ///< of each scan: where it is made of scans, off by decimetres
+};
+
 struct LocalizerParameters {
   SearchParameters search;
   KeyframeParameters keyframes;
   ClaimParameters claim;
+  TrackBy track_by = TrackBy::walls;
   AlignmentParameters tracking{.max_offset = 0.15, .max_angle = 0.15, .max_shift = 0.15};
+  BeamAlignmentParameters beam_tracking;
   MotionNoise motion{.translation = 0.02,
                      .heading = 0.02,
                      .heading_by_translation = 0.01,
@@ -131,6 +139,9 @@ class Localizer {
   bool is_claimed() const;
   bool is_ambiguous() const;
   void check_claim(const Hypothesis& own, const Sight& sight);
+  void lay_walls(const Sight& sight, double seconds, Tracked& tracked,
+                 PoseEstimate& published) const;
+  void lay_beams(const std::vector<Beam>& beams, Tracked& tracked, PoseEstimate& published) const;
   void track(const Sight& sight, const std::vector<Beam>& beams, WorldPosition& position);
   void guess(const Sight& sight, WorldPosition& position) const;
   void take_claim_back();

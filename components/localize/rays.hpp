@@ -3,8 +3,10 @@
 /// tracing", Eurographics 1987): what a ray costs hardly grows with the building.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/segment.hpp"
@@ -25,6 +27,25 @@ class Rays {
 
   /// `direction` is a unit vector.
   RayHit first(const Vector2& origin, const Vector2& direction) const;
+
+  /// Calls `take(line)` for each line that may come within `reach` [m] of `place`; for some of them
+  /// more than once.
+  template <class Take>
+  void for_lines_near(const Vector2& place, double reach, const Take& take) const {
+    const auto cells = [&](int axis, int count) {
+      const double at = place[axis] - corner_[axis];
+      return std::pair{std::clamp((at - reach) / cell_, 0.0, static_cast<double>(count)),
+                       std::clamp((at + reach) / cell_ + 1.0, 0.0, static_cast<double>(count))};
+    };
+    const auto [first_column, end_column] = cells(0, columns_);
+    const auto [first_row, end_row] = cells(1, rows_);
+    for (int row = static_cast<int>(first_row); row < static_cast<int>(end_row); ++row)
+      for (int column = static_cast<int>(first_column); column < static_cast<int>(end_column);
+           ++column) {
+        const std::size_t cell = cell_at(column, row);
+        for (std::size_t i = begins_[cell]; i < begins_[cell + 1]; ++i) take(in_cells_[i].line);
+      }
+  }
 
  private:
   struct Item {

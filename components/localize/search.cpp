@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/geometry/angle.hpp"
 
@@ -74,28 +75,76 @@ Position climb(const World& world, const Position& local_in_world,
   return local(robot_in_world);
 }
 
-}  // namespace
-
-Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
-                 const SearchParameters& parameters) {
-  const std::vector<Keyframe>& keyframes = question.keyframes;
+/// `way`: the robot in the world at each keyframe.
+Hypothesis rate(const World& world, const Position& local_in_world,
+                const std::vector<Position>& way, const Question& question,
+                const SearchParameters& parameters) {
+  const auto count = static_cast<double>(way.size());
   Hypothesis hypothesis;
   hypothesis.local_in_world = local_in_world;
-  for (const Keyframe& keyframe : keyframes) {
-    const Position robot_in_world = compose(local_in_world, keyframe.robot_in_local);
-    const BeamFit fit = fit_beams(world, robot_in_world, keyframe.beams, parameters.beams);
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const BeamFit fit = fit_beams(world, way[i], question.keyframes[i].beams, parameters.beams);
     hypothesis.by_keyframe.push_back(fit.log_likelihood);
     hypothesis.log_likelihood += fit.log_likelihood;
-    hypothesis.explained += fit.explained / static_cast<double>(keyframes.size());
-    hypothesis.through += fit.through / static_cast<double>(keyframes.size());
+    hypothesis.explained += fit.explained / count;
+    hypothesis.through += fit.through / count;
   }
-  hypothesis.log_likelihood /= static_cast<double>(keyframes.size());
+  hypothesis.log_likelihood /= count;
   hypothesis.log_likelihood -=
       parameters.strange_wall * strange_length(world, question.walls, local_in_world,
                                                tolerance_of(parameters.candidates),
                                                parameters.long_wall);
-  hypothesis.log_likelihood *= std::pow(views(keyframes, parameters), parameters.view_exponent);
+  hypothesis.log_likelihood *=
+      std::pow(views(question.keyframes, parameters), parameters.view_exponent);
   return hypothesis;
+}
+
+/// Best first; of those at one place only the best. Two places are compared where the robot is now:
+/// that is what would be claimed.
+std::vector<Hypothesis> best_of_each_place(std::vector<Hypothesis> all,
+                                           const Position& robot_in_local,
+                                           const SearchParameters& parameters) {
+  std::ranges::stable_sort(all, std::ranges::greater{}, &Hypothesis::log_likelihood);
+  std::vector<Hypothesis> apart;
+  for (const Hypothesis& hypothesis : all) {
+    const Position place = compose(hypothesis.local_in_world, robot_in_local);
+    const bool is_known = std::ranges::any_of(apart, [&](const Hypothesis& better) {
+      return is_same_place(compose(better.local_in_world, robot_in_local), place, parameters);
+    });
+    if (!is_known) apart.push_back(hypothesis);
+  }
+  return apart;
+}
+
+}  // namespace
+
+Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
+                 const SearchParameters& parameters) {
+  std::vector<Position> way;
+  way.reserve(question.keyframes.size());
+  for (const Keyframe& keyframe : question.keyframes)
+    way.push_back(compose(local_in_world, keyframe.robot_in_local));
+  return rate(world, local_in_world, way, question, parameters);
+}
+
+Hypothesis follow(const World& world, const Position& local_in_world, const Question& question,
+                  const SearchParameters& parameters) {
+  const std::vector<Keyframe>& keyframes = question.keyframes;
+  const Keyframe& last = keyframes.back();
+  // As loose as a place may be and still be the same one.
+  const Eigen::Vector3d sigmas(parameters.same_place / 2.0, parameters.same_place / 2.0,
+                               parameters.same_heading / 2.0);
+  PoseEstimate robot{compose(local_in_world, last.robot_in_local), sigmas.cwiseAbs2().asDiagonal()};
+  std::vector<Position> way(keyframes.size());
+  for (std::size_t i = keyframes.size(); i-- > 0;) {
+    if (i + 1 < keyframes.size()) {
+      const Position step = relative(keyframes[i + 1].robot_in_local, keyframes[i].robot_in_local);
+      robot = predict(robot, step, 1.0, parameters.bend);
+    }
+    robot = align_beams(world, keyframes[i].beams, robot, parameters.following);
+    way[i] = robot.pose;
+  }
+  return rate(world, compose(way.back(), inverse(last.robot_in_local)), way, question, parameters);
 }
 
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
@@ -139,19 +188,14 @@ std::vector<Hypothesis> search(const World& world, const Question& question,
     return place.through > parameters.max_through;
   };
   std::erase_if(all, looks_through);
-  std::ranges::stable_sort(all, std::ranges::greater{}, &Hypothesis::log_likelihood);
-
-  // Two places are compared where the robot is now: that is what would be claimed.
   const Position robot_in_local = keyframes.back().robot_in_local;
-  std::vector<Hypothesis> apart;
-  for (const Hypothesis& hypothesis : all) {
-    const Position place = compose(hypothesis.local_in_world, robot_in_local);
-    const bool is_known = std::ranges::any_of(apart, [&](const Hypothesis& better) {
-      return is_same_place(compose(better.local_in_world, robot_in_local), place, parameters);
-    });
-    if (!is_known) apart.push_back(hypothesis);
-  }
-  return apart;
+  std::vector<Hypothesis> places = best_of_each_place(std::move(all), robot_in_local, parameters);
+  if (parameters.followed == 0) return places;
+  const auto followed = static_cast<std::size_t>(parameters.followed);
+  if (places.size() > followed) places.resize(followed);
+  for (Hypothesis& place : places)
+    place = follow(world, place.local_in_world, question, parameters);
+  return best_of_each_place(std::move(places), robot_in_local, parameters);
 }
 
 }  // namespace perceptor::localize

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "components/localize/alignment.hpp"
+#include "components/localize/beam_alignment.hpp"
 #include "components/localize/beam_fit.hpp"
 #include "components/localize/candidates.hpp"
 
@@ -35,8 +36,15 @@ struct SearchParameters {
   double long_wall = 0.8;       ///< [m] boxes are rarely as long
   double strange_wall = 10.0;   ///< log likelihood lost for each metre of a long wall that the map
                                 ///< does not have
-  double same_place = 0.4;      ///< [m] hypotheses this close are one
-  double same_heading = 0.3;    ///< [rad] the same
+  int followed = 0;             ///< best places whose way is laid on the map keyframe by keyframe,
+                                ///< for maps that are bent themselves; 0: the way is rigid
+  BeamAlignmentParameters following;  ///< how each keyframe is laid on the map
+  MotionNoise bend{.translation = 0.05,
+                   .heading = 0.03,
+                   .heading_by_translation = 0.03,
+                   .still = 0.01};  ///< of the way from one to the next, as if each took a second
+  double same_place = 0.4;          ///< [m] hypotheses this close are one
+  double same_heading = 0.3;        ///< [rad] the same
 };
 
 /// A place that explains what the robot saw.
@@ -60,6 +68,11 @@ struct Question {
 /// How well a place explains what was seen.
 Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
                  const SearchParameters& parameters);
+
+/// The same with the way bent to the map, backward from the last keyframe: `local_in_world` comes
+/// out as it is there.
+Hypothesis follow(const World& world, const Position& local_in_world, const Question& question,
+                  const SearchParameters& parameters);
 
 /// Best first, no two at one place.
 std::vector<Hypothesis> search(const World& world, const Question& question,

@@ -125,6 +125,21 @@ void World::add_face(const Segment& segment, std::size_t object, bool is_wall) {
   if (is_wall) front->walls.push_back(extent);
 }
 
+const Face* World::nearest_face(const Vector2& place, const Vector2& direction, double reach,
+                                double min_cosine) const {
+  const Face* nearest = nullptr;
+  double least = reach;
+  solid_.for_lines_near(place, reach, [&](std::size_t line) {
+    const Face& face = faces_[line];
+    if (face.line.normal.dot(direction) < min_cosine) return;
+    const double away = distance(face.segment, place);
+    if (away >= least) return;
+    nearest = &face;
+    least = away;
+  });
+  return nearest;
+}
+
 Met World::meet(const Vector2& origin, const Vector2& direction) const {
   Met met{solid_.first(origin, direction).distance, doors_.first(origin, direction).distance};
   if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();

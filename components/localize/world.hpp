@@ -81,6 +81,11 @@ class World {
     return solid_.first(origin, direction);
   }
 
+  /// The face nearest to `place`, within `reach` [m], of those that are seen from `direction` (a
+  /// unit vector to where the eye is) with at least `min_cosine` to their normals; null: none.
+  const Face* nearest_face(const Vector2& place, const Vector2& direction, double reach,
+                           double min_cosine) const;
+
  private:
   void add_face(const Segment& segment, std::size_t object, bool is_wall);
   void find_gaps(Front& front, const WorldParameters& parameters);

@@ -45,10 +45,13 @@ class Turning {
   std::int64_t utime_ = 0;
 };
 
+/// By walls or by beams.
 void LocalizeTrack(benchmark::State& state) {
   const Map building = hospital();
   Turning robot(building);
-  localize::Localizer localizer(localize::World(building), {});
+  localize::LocalizerParameters parameters;
+  parameters.track_by = static_cast<localize::TrackBy>(state.range(0));
+  localize::Localizer localizer(localize::World(building), parameters);
   for (double heading = 0.0; heading < 3.0; heading += 0.1) localizer.update(robot.at(heading));
   localize::Sight sight = robot.at(3.0);
   const bool is_tracking = localizer.update(sight).state == localize::State::tracking;
@@ -59,7 +62,10 @@ void LocalizeTrack(benchmark::State& state) {
   }
   state.counters["tracking"] = is_tracking ? 1.0 : 0.0;
 }
-BENCHMARK(LocalizeTrack);
+BENCHMARK(LocalizeTrack)
+    ->ArgName("beams")
+    ->Arg(static_cast<int>(localize::TrackBy::walls))
+    ->Arg(static_cast<int>(localize::TrackBy::beams));
 
 /// The combined map takes a scan in.
 void LocalizeCombine(benchmark::State& state) {
@@ -75,11 +81,13 @@ void LocalizeCombine(benchmark::State& state) {
 }
 BENCHMARK(LocalizeCombine);
 
+/// With the way rigid, or that of so many places followed.
 void LocalizeSearch(benchmark::State& state) {
   const Map building = hospital();
   Turning robot(building);
   const localize::World world(building);
-  const localize::SearchParameters parameters;
+  localize::SearchParameters parameters;
+  parameters.followed = static_cast<int>(state.range(0));
   localize::Question question;
   for (int i = 0; i < 12; ++i) {
     const localize::Sight sight = robot.at(0.25 * i);
@@ -89,7 +97,7 @@ void LocalizeSearch(benchmark::State& state) {
   question.walls = localize::local_walls(building, 0);
   for (auto _ : state) benchmark::DoNotOptimize(localize::search(world, question, parameters));
 }
-BENCHMARK(LocalizeSearch)->Unit(benchmark::kMillisecond);
+BENCHMARK(LocalizeSearch)->ArgName("followed")->Arg(0)->Arg(30)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace perceptor

@@ -89,7 +89,8 @@ int main(int argc, char** argv) {
       "The map gets a small start area in the middle of the widest free space, which tells inside\n"
       "from outside where the walls do not close.\n"
       "Examples:\n"
-      "  pico-vectorize map.yaml building.json && pico-localize --map building.json\n"
+      "  pico-vectorize map.yaml building.json &&\n"
+      "    pico-localize --config config/localize_scanned_map.json --map building.json\n"
       "  pico-vectorize heightmap.png building.json --resolution 0.025");
   return perceptor::run_tool(app, argc, argv, [&] { return perceptor::vectorize_file(options); });
 }

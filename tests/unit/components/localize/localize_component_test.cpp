@@ -179,5 +179,14 @@ TEST(LocalizeConfig, FileHoldsTheDefaults) {
   EXPECT_EQ(text(read), text(defaults));
 }
 
+TEST(LocalizeConfig, FileForScannedMapsFollowsByBeams) {
+  LocalizeConfig read;
+  config::load_file(
+      std::filesystem::path(PERCEPTOR_SOURCE_DIR) / "config" / "localize_scanned_map.json",
+      [&read](config::Fields& fields) { describe(fields, read); });
+  EXPECT_EQ(read.localize.track_by, localize::TrackBy::beams);
+  EXPECT_GT(read.localize.search.followed, 0);
+}
+
 }  // namespace
 }  // namespace perceptor

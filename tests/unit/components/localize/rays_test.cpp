@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,30 @@ TEST(Rays, MeetWhatALookAtEachLineFinds) {
   EXPECT_GT(met, 1000);
 }
 
+TEST(Rays, AllLinesNearAPlaceAreAmongThoseThatMayBe) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> place(-20.0, 20.0);
+  std::uniform_real_distribution<double> step(-3.0, 3.0);
+  std::vector<Segment> lines;
+  Rays rays;
+  for (int i = 0; i < 120; ++i) {
+    const Vector2 a(place(random), place(random) / 4.0);
+    lines.push_back({a, a + Vector2(step(random), step(random))});
+    rays.add(lines.back());
+  }
+  rays.sort();
+  std::size_t given = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector2 at(1.5 * place(random), place(random) / 3.0);
+    std::set<std::size_t> near;
+    rays.for_lines_near(at, 0.4, [&](std::size_t line) { near.insert(line); });
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      EXPECT_TRUE(near.contains(line) || distance(lines[line], at) >= 0.4);
+    given += near.size();
+  }
+  EXPECT_LT(given, 1000 * lines.size() / 10) << "they are sorted for this";
+}
+
 TEST(Rays, OneLineAlongAnAxis) {
   Rays rays;
   rays.add({{1.0, -1.0}, {1.0, 1.0}});
@@ -65,6 +90,7 @@ TEST(Rays, NothingToMeet) {
   Rays rays;
   rays.sort();
   EXPECT_TRUE(std::isinf(rays.first({0.0, 0.0}, {1.0, 0.0}).distance));
+  rays.for_lines_near({0.0, 0.0}, 1.0, [](std::size_t) { ADD_FAILURE(); });
 }
 
 }  // namespace
