@@ -116,6 +116,10 @@ std::vector<Hypothesis> best_of_each_place(std::vector<Hypothesis> all,
   return apart;
 }
 
+/// A place as it comes out of the competition: how far it may be off before its way is bent.
+constexpr double kPlaceSigma = 0.2;          // [m]
+constexpr double kPlaceHeadingSigma = 0.15;  // [rad]
+
 }  // namespace
 
 Hypothesis judge(const World& world, const Position& local_in_world, const Question& question,
@@ -131,9 +135,7 @@ Hypothesis follow(const World& world, const Position& local_in_world, const Ques
                   const SearchParameters& parameters) {
   const std::vector<Keyframe>& keyframes = question.keyframes;
   const Keyframe& last = keyframes.back();
-  // As loose as a place may be and still be the same one.
-  const Eigen::Vector3d sigmas(parameters.same_place / 2.0, parameters.same_place / 2.0,
-                               parameters.same_heading / 2.0);
+  const Eigen::Vector3d sigmas(kPlaceSigma, kPlaceSigma, kPlaceHeadingSigma);
   PoseEstimate robot{compose(local_in_world, last.robot_in_local), sigmas.cwiseAbs2().asDiagonal()};
   std::vector<Position> way(keyframes.size());
   for (std::size_t i = keyframes.size(); i-- > 0;) {
