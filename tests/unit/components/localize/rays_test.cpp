@@ -23,18 +23,32 @@ double brute_force(const std::vector<Segment>& lines, const Vector2& origin,
   return nearest;
 }
 
-TEST(Rays, MeetWhatALookAtEachLineFinds) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> place(-20.0, 20.0);
+double place(std::mt19937_64& random) {
+  return std::uniform_real_distribution<double>(-20.0, 20.0)(random);
+}
+
+/// Spread over 40 m by 10 m; each third runs along x.
+std::vector<Segment> random_lines(std::mt19937_64& random) {
   std::uniform_real_distribution<double> step(-3.0, 3.0);
   std::vector<Segment> lines;
-  Rays rays;
   for (int i = 0; i < 120; ++i) {
     const Vector2 a(place(random), place(random) / 4.0);
     lines.push_back({a, a + Vector2(step(random), i % 3 == 0 ? 0.0 : step(random))});
-    rays.add(lines.back());
   }
+  return lines;
+}
+
+Rays sorted(const std::vector<Segment>& lines) {
+  Rays rays;
+  for (const Segment& line : lines) rays.add(line);
   rays.sort();
+  return rays;
+}
+
+TEST(Rays, MeetWhatALookAtEachLineFinds) {
+  std::mt19937_64 random(7);
+  const std::vector<Segment> lines = random_lines(random);
+  const Rays rays = sorted(lines);
   int met = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vector2 origin(1.5 * place(random), place(random) / 3.0);
@@ -55,16 +69,8 @@ TEST(Rays, MeetWhatALookAtEachLineFinds) {
 
 TEST(Rays, AllLinesNearAPlaceAreAmongThoseThatMayBe) {
   std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> place(-20.0, 20.0);
-  std::uniform_real_distribution<double> step(-3.0, 3.0);
-  std::vector<Segment> lines;
-  Rays rays;
-  for (int i = 0; i < 120; ++i) {
-    const Vector2 a(place(random), place(random) / 4.0);
-    lines.push_back({a, a + Vector2(step(random), step(random))});
-    rays.add(lines.back());
-  }
-  rays.sort();
+  const std::vector<Segment> lines = random_lines(random);
+  const Rays rays = sorted(lines);
   std::size_t given = 0;
   for (int i = 0; i < 1000; ++i) {
     const Vector2 at(1.5 * place(random), place(random) / 3.0);
