@@ -86,7 +86,7 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.integer("followed", p.followed, {0, 1000},
                  "best places whose way is laid on the map keyframe by keyframe, for maps that are "
                  "bent themselves; 0: the way is rigid");
-  fields.group("following", p.following, "how each keyframe is laid on the map then");
+  fields.group("beam_alignment", p.beam_alignment, "how beams are laid on the map");
   fields.group("bend", p.bend, "how much the way between keyframes may bend");
   fields.number("same_place", p.same_place, kMetres, "[m] hypotheses this close are one");
   fields.number("same_heading", p.same_heading, kAngle, "[rad] the same");
@@ -187,11 +187,11 @@ void describe(config::Fields& fields, LocalizeConfig& config) {
   fields.group("search", p.search, "all places of the building compete");
   fields.group("keyframes", p.keyframes, "the scans that they compete for");
   fields.group("claim", p.claim, "what makes a place certain");
-  fields.choice("track_by", p.track_by,
-                {{"walls", localize::TrackBy::walls}, {"beams", localize::TrackBy::beams}},
-                "of each scan; beams where the map's walls are off by decimetres");
+  fields.choice(
+      "track_by", p.track_by,
+      {{"walls", localize::TrackBy::walls}, {"beams", localize::TrackBy::beams}},
+      "of each scan; beams, laid on the map as in search, where its walls are off by decimetres");
   fields.group("tracking", p.tracking, "how the robot is followed by walls");
-  fields.group("beam_tracking", p.beam_tracking, "how it is followed by beams");
   fields.group("motion", p.motion, "how much the local map's own pose errs");
   fields.group("watch", p.watch, "what takes a claim back");
   fields.number("map_time", p.map_time, {0.01, 3600.0},

@@ -112,7 +112,7 @@ void Localizer::lay_walls(const Sight& sight, double seconds, Tracked& tracked,
 /// published, and not in the one that the next scan begins with.
 void Localizer::lay_beams(const std::vector<Beam>& beams, Tracked& tracked,
                           PoseEstimate& published) const {
-  const BeamAlignmentParameters& tracking = parameters_.beam_tracking;
+  const BeamAlignmentParameters& tracking = parameters_.search.beam_alignment;
   tracked.robot_in_world = published = align_beams(world_, beams, tracked.robot_in_world, tracking);
   published.covariance.topLeftCorner<2, 2>().diagonal().array() += square(tracking.map_sigma);
 }

@@ -3,7 +3,8 @@
 /// While it searches, the last scans from different poses are kept, and all places of the building
 /// compete for them; a place is claimed when it leads the runner-up by a margin on several scans,
 /// explains enough, and has few beams that go through walls. While it follows, each scan's walls
-/// are laid on the building's, and now and then the claimed place has to win the competition again.
+/// are laid on the building's, or its beams where no wall of the building is that exact, and now
+/// and then the claimed place has to win the competition again.
 ///
 /// The competition takes longer than the time from scan to scan. It runs beside, and its outcome
 /// counts from the first scan after a fixed time, measured in the scans' own: results do not depend
@@ -66,7 +67,6 @@ struct LocalizerParameters {
   ClaimParameters claim;
   TrackBy track_by = TrackBy::walls;
   AlignmentParameters tracking{.max_offset = 0.15, .max_angle = 0.15, .max_shift = 0.15};
-  BeamAlignmentParameters beam_tracking;
   MotionNoise motion{.translation = 0.02,
                      .heading = 0.02,
                      .heading_by_translation = 0.01,

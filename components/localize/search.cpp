@@ -143,7 +143,7 @@ Hypothesis follow(const World& world, const Position& local_in_world, const Ques
       const Position step = relative(keyframes[i + 1].robot_in_local, keyframes[i].robot_in_local);
       robot = predict(robot, step, 1.0, parameters.bend);
     }
-    robot = align_beams(world, keyframes[i].beams, robot, parameters.following);
+    robot = align_beams(world, keyframes[i].beams, robot, parameters.beam_alignment);
     way[i] = robot.pose;
   }
   return rate(world, compose(way.back(), inverse(last.robot_in_local)), way, question, parameters);

@@ -38,7 +38,7 @@ struct SearchParameters {
                                 ///< does not have
   int followed = 0;             ///< best places whose way is laid on the map keyframe by keyframe,
                                 ///< for maps that are bent themselves; 0: the way is rigid
-  BeamAlignmentParameters following;  ///< how each keyframe is laid on the map
+  BeamAlignmentParameters beam_alignment;  ///< how a scan's beams are laid on the map
   MotionNoise bend{.translation = 0.05,
                    .heading = 0.03,
                    .heading_by_translation = 0.03,

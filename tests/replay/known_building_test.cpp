@@ -1,7 +1,6 @@
 /// Robots that were driven through a building of which there is a map: found from nothing, and
 /// followed. The map was made of scans, its walls are smeared over decimetres, and odometry drifts
 /// by metres.
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 

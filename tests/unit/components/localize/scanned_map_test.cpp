@@ -1,4 +1,5 @@
 /// Maps made of scans: walls that are off by a decimetre, and bent.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
