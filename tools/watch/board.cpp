@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "common/messages/convert.hpp"
+#include "common/text/format.hpp"
 #include "common/time/stamp.hpp"
-#include "tools/format.hpp"
 
 namespace perceptor {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/text/format.hpp"
 #include "tools/eval/quantile.hpp"
-#include "tools/format.hpp"
 
 namespace perceptor {
 namespace {
