@@ -12,20 +12,17 @@ double normal_density(double difference, double sigma) {
   return std::exp(-z * z / 2.0) / (sigma * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// Density of a range [1/m].
+/// Density of a range [1/m]. A door is either shut or open, for all its beams: which of the two is
+/// what fits better, beam by beam, and costs nothing, so that a shut door is worth as much as a
+/// wall.
 double density(double range, const Met& met, const BeamFitParameters& parameters) {
   const bool is_behind = range > met.face + parameters.through;
-  double density = (is_behind ? parameters.behind : parameters.anything) / parameters.max_range;
-  if (std::isinf(met.face) && std::isinf(met.door)) return density;
-  const bool has_door = std::isfinite(met.door);
-  const double open = has_door ? 1.0 - parameters.shut : 1.0;
-  if (has_door)
-    density +=
-        parameters.hit * parameters.shut * normal_density(range - met.door, parameters.sigma);
-  if (std::isinf(met.face)) return density;
-  density += parameters.hit * open * normal_density(range - met.face, parameters.sigma);
-  if (range < met.face) density += parameters.in_front / met.face;
-  return density;
+  const double anything =
+      (is_behind ? parameters.behind : parameters.anything) / parameters.max_range;
+  const double at_door = normal_density(range - met.door, parameters.sigma);
+  const double at_face = normal_density(range - met.face, parameters.sigma);
+  const double in_front = range < met.face ? parameters.in_front / met.face : 0.0;
+  return anything + in_front + parameters.hit * std::max(at_door, at_face);
 }
 
 /// Neighbouring beams that end on one thing seen at this angle or less grazing differ by no more.
@@ -71,8 +68,8 @@ BeamFit fit_beams(const World& world, const Position& robot_in_world,
   int explained = 0;
   int through = 0;
   for (const Beam& beam : beams) {
-    const Met met =
-        world.meet(robot_in_world.location() + rotated(beam.origin), rotated(beam.direction));
+    const Met met = world.meet(robot_in_world.location() + rotated(beam.origin),
+                               rotated(beam.direction), beam.range);
     fit.log_likelihood += std::log(density(beam.range, met, parameters));
     if (std::abs(beam.range - met.face) < near || std::abs(beam.range - met.door) < near)
       ++explained;

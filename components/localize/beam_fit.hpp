@@ -28,7 +28,6 @@ struct BeamFitParameters {
   double anything = 0.05;   ///< share that measure anything
   double behind = 1e-8;     ///< share that measure anything behind a wall: people look like boxes,
                             ///< but nobody sees through walls
-  double shut = 0.5;        ///< how often a door is shut
   double through = 0.2;     ///< [m] a range longer than the map says by more goes through a wall
   double max_range = 10.0;  ///< [m] of the beams that measure anything
 };

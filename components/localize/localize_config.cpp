@@ -45,7 +45,6 @@ void describe(config::Fields& fields, BeamFitParameters& p) {
   fields.number("in_front", p.in_front, kShare, "share that end at something unknown before that");
   fields.number("anything", p.anything, {1e-6, 1.0}, "share that measure anything");
   fields.number("behind", p.behind, {1e-9, 1.0}, "share that measure anything behind a wall");
-  fields.number("shut", p.shut, kShare, "how often a door is shut");
   fields.number("through", p.through, kMetres,
                 "[m] a range longer than the map says by more goes through a wall");
   fields.number("max_range", p.max_range, {0.1, 1000.0}, "[m] of what measures anything");

@@ -140,9 +140,15 @@ const Face* World::nearest_face(const Vector2& place, const Vector2& direction, 
   return nearest;
 }
 
-Met World::meet(const Vector2& origin, const Vector2& direction) const {
-  Met met{solid_.first(origin, direction).distance, doors_.first(origin, direction).distance};
-  if (met.door >= met.face) met.door = std::numeric_limits<double>::infinity();
+Met World::meet(const Vector2& origin, const Vector2& direction, double range) const {
+  constexpr double kBeyond = 1e-6;  // [m] from an opening, to look for the next one
+  Met met{solid_.first(origin, direction).distance, std::numeric_limits<double>::infinity()};
+  for (double passed = 0.0; passed < range;) {
+    const double door = passed + doors_.first(origin + passed * direction, direction).distance;
+    if (door >= met.face) break;
+    if (std::abs(range - door) < std::abs(range - met.door)) met.door = door;
+    passed = door + kBeyond;
+  }
   return met;
 }
 

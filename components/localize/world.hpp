@@ -45,10 +45,10 @@ struct WorldParameters {
   double jamb = 0.5;      ///< cosine between a gap and a wall from its end; more: a corner cut off
 };
 
-/// What a ray meets first: distances [m] from its origin, infinite where there is nothing.
+/// What a ray meets: distances [m] from its origin, infinite where there is nothing.
 struct Met {
-  double face;
-  double door;  ///< an opening that may be shut, before the face
+  double face;  ///< the first
+  double door;  ///< of the openings before it, which may be shut: the one nearest to the range
 };
 
 class World {
@@ -73,8 +73,9 @@ class World {
   /// Drawn ones come first, in order.
   const std::vector<Doorway>& doorways() const { return doorways_; }
 
-  /// `direction` is a unit vector.
-  Met meet(const Vector2& origin, const Vector2& direction) const;
+  /// Of a beam with `range` [m]. `direction` is a unit vector. A beam may pass several openings:
+  /// a door stands in either face of its wall, or between them.
+  Met meet(const Vector2& origin, const Vector2& direction, double range) const;
 
   /// Which of faces() a ray meets first.
   RayHit meet_face(const Vector2& origin, const Vector2& direction) const {

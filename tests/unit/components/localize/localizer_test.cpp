@@ -19,54 +19,6 @@ void expect_near(const Position& actual, const Position& expected, double metres
   EXPECT_LT(std::abs(angle_difference(actual.a, expected.a)), radians);
 }
 
-TEST(BeamFit, TruePoseFitsBestAndNothingGoesThroughWalls) {
-  const Building building = angled_room();
-  const World world(building.map);
-  const Position robot{1.2, 1.0, 0.4};
-  const auto beams =
-      choose_beams(beam_ends(test::sweep(building.scene, test::pico_laser(0.01), robot)), 72);
-  ASSERT_EQ(beams.size(), 72U);
-  const BeamFit right = fit_beams(world, robot, beams, {});
-  EXPECT_GT(right.explained, 0.95);
-  EXPECT_EQ(right.through, 0.0);
-  const BeamFit wrong = fit_beams(world, {1.6, 1.0, 0.4}, beams, {});
-  EXPECT_LT(wrong.log_likelihood, right.log_likelihood - 50.0);
-  EXPECT_GT(wrong.through, 0.1);
-}
-
-TEST(BeamFit, ShutDoorExplainsBeams) {
-  Map map;
-  add_segment(map, {{-1.0, 2.0}, {1.0, 2.0}}, ObjectType::door);
-  const std::vector<Beam> beams = {{{0.0, 0.0}, {0.0, 1.0}, 2.01}};
-  EXPECT_EQ(fit_beams(World(map), {}, beams, {}).explained, 1.0);
-}
-
-TEST(BeamFit, NobodySeesThroughWallsButThingsMayStandBefore) {
-  const World world(angled_room().map);
-  const auto fit = [&](double range) {
-    return fit_beams(world, {1.0, 1.0, 0.0}, {{{0.0, 0.0}, {-1.0, 0.0}, range}}, {});
-  };
-  EXPECT_GT(fit(0.5).log_likelihood, fit(1.5).log_likelihood + 10.0);
-  EXPECT_EQ(fit(0.5).through, 0.0);
-  EXPECT_EQ(fit(1.5).through, 1.0);
-}
-
-TEST(ChooseBeams, TakesThemFromAllOverTheScanAndLeavesOutliersOut) {
-  const Building building = angled_room();
-  auto ends = beam_ends(test::sweep(building.scene, test::pico_laser(), {2.0, 1.1, 0.0}));
-  ASSERT_EQ(ends.size(), 1000U);
-  const auto beams = choose_beams(ends, 100);
-  ASSERT_EQ(beams.size(), 100U);
-  EXPECT_LT(std::abs(std::atan2(beams.front().direction.y(), beams.front().direction.x()) + 2.0),
-            0.03);
-  EXPECT_LT(std::abs(std::atan2(beams.back().direction.y(), beams.back().direction.x()) - 2.0),
-            0.03);
-  for (std::size_t i = 5; i < ends.size(); i += 20) ends[i].location *= 3.0;
-  EXPECT_EQ(choose_beams(ends, 100).size(), 50U);
-  EXPECT_EQ(choose_beams(ends, 5000).size(), 950U);
-  EXPECT_TRUE(choose_beams({}, 100).empty());
-}
-
 TEST(Alignment, TellsHowFarTheWallsStandOffTheMap) {
   const Building building = angled_room();
   const Position robot{2.0, 1.1, 0.0};

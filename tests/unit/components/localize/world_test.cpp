@@ -17,11 +17,11 @@ void add_wall(Map& map, const Segment& wall, FreeSide free_side = FreeSide::left
 
 TEST(World, RayMeetsTheNearestFace) {
   const World world(angled_room().map);
-  const Met met = world.meet({1.0, 1.0}, {1.0, 0.0});
+  const Met met = world.meet({1.0, 1.0}, {1.0, 0.0}, 4.0);
   EXPECT_DOUBLE_EQ(met.face, 4.0);
   EXPECT_TRUE(std::isinf(met.door));
-  EXPECT_DOUBLE_EQ(world.meet({1.0, 3.0}, {1.0, 0.0}).face, 2.0);
-  EXPECT_TRUE(std::isinf(world.meet({-1.0, -1.0}, {-1.0, 0.0}).face));
+  EXPECT_DOUBLE_EQ(world.meet({1.0, 3.0}, {1.0, 0.0}, 4.0).face, 2.0);
+  EXPECT_TRUE(std::isinf(world.meet({-1.0, -1.0}, {-1.0, 0.0}, 4.0).face));
 }
 
 TEST(World, FreeSideSaysWhichWayAFaceRuns) {
@@ -45,17 +45,30 @@ TEST(World, GapAsWideAsADoorMayBeShut) {
   EXPECT_EQ(world.fronts()[0].pieces.size(), 3U);
   ASSERT_EQ(world.fronts()[0].gaps.size(), 1U);
   EXPECT_DOUBLE_EQ(world.fronts()[0].gaps[0].length(), 1.0);
-  const Met met = world.meet({1.5, 0.0}, {0.0, 1.0});
+  const Met met = world.meet({1.5, 0.0}, {0.0, 1.0}, 4.0);
   EXPECT_TRUE(std::isinf(met.face));
   EXPECT_DOUBLE_EQ(met.door, 2.0);
-  EXPECT_TRUE(std::isinf(world.meet({4.5, 0.0}, {0.0, 1.0}).door)) << "too wide";
+  EXPECT_TRUE(std::isinf(world.meet({4.5, 0.0}, {0.0, 1.0}, 4.0).door)) << "too wide";
+}
+
+TEST(World, OfTheOpeningsThatABeamPassesTheOneNearestToItsRangeMayBeShut) {
+  Map map;
+  for (const double face : {2.0, 2.2}) {
+    add_wall(map, {{0.0, face}, {1.0, face}}, FreeSide::unknown);
+    add_wall(map, {{2.0, face}, {3.0, face}}, FreeSide::unknown);
+  }
+  add_wall(map, {{0.0, 4.0}, {3.0, 4.0}}, FreeSide::right);
+  const World world(map);
+  EXPECT_NEAR(world.meet({1.5, 0.0}, {0.0, 1.0}, 1.9).door, 2.0, 1e-9);
+  EXPECT_NEAR(world.meet({1.5, 0.0}, {0.0, 1.0}, 2.3).door, 2.2, 1e-9);
+  EXPECT_NEAR(world.meet({1.5, 0.0}, {0.0, 1.0}, 9.0).door, 2.2, 1e-9) << "none behind a face";
 }
 
 TEST(World, DoorBehindAWallIsNotMet) {
   Map map;
   add_wall(map, {{-1.0, 1.0}, {1.0, 1.0}});
   add_segment(map, {{-1.0, 2.0}, {1.0, 2.0}}, ObjectType::door);
-  const Met met = World(map).meet({0.0, 0.0}, {0.0, 1.0});
+  const Met met = World(map).meet({0.0, 0.0}, {0.0, 1.0}, 2.0);
   EXPECT_DOUBLE_EQ(met.face, 1.0);
   EXPECT_TRUE(std::isinf(met.door));
 }
