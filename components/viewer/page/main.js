@@ -1,0 +1,176 @@
+// The page: takes scenes from the server, and what the user wants to see of them.
+
+import { Legend } from "./legend.js";
+import { Picture } from "./picture.js";
+import { Timeline } from "./timeline.js";
+import { View } from "./view.js";
+
+const AGAIN = 1000; // [ms] from a lost connection to the next try
+const SILENCE = 2000; // [ms] after which the page says that data stopped
+const WHEEL = 1.0015; // zoom for each pixel of the wheel
+
+const byId = (id) => document.getElementById(id);
+const legendData = await (await fetch("legend.json")).json();
+const canvas = byId("picture");
+const view = new View();
+const picture = new Picture(canvas, view, legendData);
+const timeline = new Timeline(byId("components"));
+const legend = new Legend(byId("legend"), legendData, (id, shown) => {
+  shown ? picture.hidden.delete(id) : picture.hidden.add(id);
+  redraw();
+});
+
+// What the user chose, and what is known of the connection.
+const page = { paused: false, follow: false, fitted: true, connected: false, lastNews: performance.now() };
+window.perceptor = { page, picture, view }; // for tests, and for the curious
+
+let drawing = false;
+function redraw() {
+  if (drawing) return;
+  drawing = true;
+  requestAnimationFrame(() => {
+    drawing = false;
+    if (page.follow) [view.centre.x, view.centre.y] = picture.scene.robot;
+    picture.draw();
+    if (page.fitted && picture.box()) {
+      view.fit(picture.box());
+      picture.draw();
+    }
+  });
+}
+
+function take(parts) {
+  if (parts.status) timeline.take(parts.status);
+  if (parts.scene) {
+    if (parts.scene.utime !== picture.scene.utime) page.lastNews = performance.now();
+    if (parts.scene.frame !== picture.scene.frame) page.fitted = true;
+    picture.scene = parts.scene;
+    showState();
+  }
+  for (const { id } of legendData.layers) {
+    const items = parts[`layer.${id}`];
+    if (!items) continue;
+    picture.layers.set(id, items);
+    legend.setEmpty(id, items.length === 0);
+  }
+  redraw();
+}
+
+function showState() {
+  const { frame, robot, notes } = picture.scene;
+  const [x, y, a] = robot;
+  const where = { world: "in the building", local: "from its start", robot: "" }[frame];
+  byId("state").textContent = where
+    ? `Robot at ${x.toFixed(2)}, ${y.toFixed(2)} m, ${((180 * a) / Math.PI).toFixed(0)}° ${where}`
+    : "The robot's own frame: no position yet";
+  byId("notes").replaceChildren(...notes.map((note) => Object.assign(document.createElement("li"), { textContent: note })));
+}
+
+function watchConnection() {
+  const silent = performance.now() - page.lastNews;
+  let text = "";
+  if (!page.connected) text = "No connection to pico-viewer: trying again";
+  else if (silent > SILENCE) text = `No new data for ${Math.floor(silent / 1000)} s`;
+  else if (page.paused) text = "Paused: the picture stands still";
+  byId("banner").textContent = text;
+  byId("banner").hidden = text === "";
+}
+
+function connect() {
+  const source = new EventSource("scenes");
+  source.onopen = () => (page.connected = true);
+  source.onmessage = ({ data }) => {
+    const parts = JSON.parse(data);
+    if (!page.paused) return take(parts);
+    page.lastNews = performance.now();
+    page.missed = { ...page.missed, ...parts };
+  };
+  source.onerror = () => {
+    source.close();
+    page.connected = false;
+    setTimeout(connect, AGAIN);
+  };
+}
+
+function press(id, on) {
+  byId(id).setAttribute("aria-pressed", on);
+}
+
+const actions = {
+  pause() {
+    page.paused = !page.paused;
+    press("pause", page.paused);
+    watchConnection();
+    if (!page.paused && page.missed) take(page.missed);
+    page.missed = undefined;
+  },
+  follow() {
+    page.follow = !page.follow;
+    page.fitted = false;
+    press("follow", page.follow);
+    redraw();
+  },
+  fit() {
+    page.follow = false;
+    page.fitted = true;
+    press("follow", false);
+    redraw();
+  },
+  save() {
+    canvas.toBlob((png) => {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(png);
+      link.download = `perceptor-${picture.scene.utime ?? 0}.png`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), AGAIN);
+    });
+  },
+  details() {
+    const shown = byId("timeline").toggleAttribute("hidden");
+    press("details", !shown);
+    redraw();
+  },
+};
+const keys = { " ": "pause", f: "follow", 0: "fit", s: "save", d: "details" };
+
+for (const name of Object.keys(actions))
+  byId(name).addEventListener("click", () => {
+    actions[name]();
+    byId(name).blur();
+  });
+
+document.addEventListener("keydown", (event) => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const layer = legendData.layers.find(({ key }) => key === event.key);
+  if (layer) legend.toggle(layer.id);
+  else if (keys[event.key]) actions[keys[event.key]]();
+  else return;
+  event.preventDefault();
+});
+
+canvas.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  page.fitted = false;
+  view.zoom(WHEEL ** -event.deltaY, event.offsetX, event.offsetY);
+  redraw();
+}, { passive: false });
+
+canvas.addEventListener("pointermove", (event) => {
+  if (event.buttons & 1) {
+    if (page.follow) actions.follow();
+    page.fitted = false;
+    view.pan(event.movementX, event.movementY);
+    redraw();
+  }
+  const text = picture.textAt(event.offsetX, event.offsetY);
+  const hover = byId("hover");
+  hover.textContent = text;
+  hover.hidden = text === "";
+  hover.style.left = `${event.offsetX + 14}px`;
+  hover.style.top = `${event.offsetY + 14}px`;
+});
+canvas.addEventListener("pointerleave", () => (byId("hover").hidden = true));
+canvas.addEventListener("dblclick", actions.fit);
+new ResizeObserver(redraw).observe(canvas);
+setInterval(watchConnection, 250);
+connect();
