@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The viewer's page in a real browser, and its server by hand.
 
-    private_bus viewer_test.py --bin BIN [--out FOLDER] [--seconds S]
+    tests/process/private_bus tests/process/viewer_test.py --bin build/release/bin
 
-Exit code 77 (skipped) where no browser can be driven.
+Skipped (exit code 77) where no browser can be driven. The screenshots stay in --out, for people.
 """
 
 import argparse
@@ -11,6 +11,7 @@ import http.client
 import json
 import pathlib
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -18,19 +19,20 @@ import tempfile
 import time
 import unittest
 
-from live_chain import Chain, end, wait_until
+from live_processes import Processes, wait_for
+
+SKIPPED = 77  # exit code, for ctest
 
 try:
     from selenium import webdriver
     from selenium.webdriver.common.action_chains import ActionChains
 except ImportError:
     print("[  SKIPPED ] no selenium")
-    sys.exit(77)
+    sys.exit(SKIPPED)
 
 PORT = 8080
 CLIENTS = 3  # that may look, in these tests
 NETWORK_ERROR = "ERR_"  # the browser's own word for a server that is away
-options = None
 
 
 def scenes(reply):
@@ -45,10 +47,10 @@ class ServerTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.chain = Chain(options.bin)
-        cls.addClassCleanup(cls.chain.close)
-        cls.chain.start("viewer", "--port", str(PORT), "--set", f"clients={CLIENTS}")
-        wait_until("the viewer answers", can_connect)
+        processes = Processes(options.out)
+        cls.addClassCleanup(processes.stop_all)
+        processes.start([*VIEWER, "--set", f"clients={CLIENTS}"])
+        wait_for(can_connect, 20, "the viewer answers")
 
     def connect(self):
         connection = http.client.HTTPConnection("127.0.0.1", PORT, timeout=10)
@@ -67,7 +69,7 @@ class ServerTest(unittest.TestCase):
             connection.request("GET", "/scenes")
             reply = connection.getresponse()
             return reply.status == 200 and (connection, reply)
-        return wait_until("a place to look", granted)
+        return wait_for(granted, 20, "a place to look")
 
     def test_serves_the_page_and_nothing_else(self):
         self.assertIn(b"<title>Perceptor</title>", self.get("/").read())
@@ -98,8 +100,7 @@ class ServerTest(unittest.TestCase):
         self.assertNotIn("layer.beams", next(stream))
 
     def test_says_who_has_the_port(self):
-        other = subprocess.run([self.chain.bin / "pico-viewer", "--port", str(PORT)],
-                               capture_output=True, text=True, timeout=10)
+        other = subprocess.run(VIEWER, capture_output=True, text=True, timeout=10)
         self.assertEqual(other.returncode, 1)
         self.assertIn("cannot listen on 127.0.0.1:8080", other.stderr)
 
@@ -117,21 +118,17 @@ class PageTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = pathlib.Path(options.out or tempfile.mkdtemp(prefix="viewer-"))
-        cls.folder.mkdir(parents=True, exist_ok=True)
-        if not options.out:
-            cls.addClassCleanup(shutil.rmtree, cls.folder)
-        cls.chain = Chain(options.bin)
-        cls.addClassCleanup(cls.chain.close)
-        cls.viewer = cls.chain.start("viewer", "--port", str(PORT))
-        cls.chain.perceive("hospital")
-        cls.bridge = cls.chain.start("bridge")
-        wait_until("the viewer answers", can_connect)
-        cls.browser = open_browser(cls.folder)
+        cls.processes = Processes(options.out)
+        cls.addClassCleanup(cls.processes.stop_all)
+        cls.viewer = cls.processes.start(VIEWER)
+        cls.processes.start_components(options.bin)
+        cls.bridge = cls.processes.start([options.bin / "pico-bridge"])
+        wait_for(can_connect, 20, "the viewer answers")
+        cls.browser = open_browser(options.out)
         cls.addClassCleanup(cls.browser.quit)
         cls.browser.get(f"http://127.0.0.1:{PORT}/")
-        wait_until("the robot is found in the building",
-                   lambda: cls.script("perceptor.picture.scene.frame") == "world")
+        wait_for(lambda: cls.script("perceptor.picture.scene.frame") == "world", 20,
+                 "the robot is found in the building")
 
     @classmethod
     def script(cls, expression):
@@ -168,7 +165,7 @@ class PageTest(unittest.TestCase):
         scenes_a_second = self.script("seen.size") / options.seconds
         self.assertGreater(scenes_a_second, 5.0, "of 10 a second, on a busy machine")
         self.assertEqual(self.banner(), "")
-        self.browser.save_screenshot(str(self.folder / "page.png"))
+        self.browser.save_screenshot(str(options.out / "page.png"))
         self.assert_console_is_clean()
 
     def test_2_each_layer_goes_and_comes_back(self):
@@ -206,13 +203,13 @@ class PageTest(unittest.TestCase):
         self.assertEqual(self.utime(), paused)
         self.assertIn("Paused", self.banner())
         self.press(" ")
-        wait_until("the picture goes on", lambda: self.utime() > paused + 900_000)
-        wait_until("the banner is gone", lambda: not self.banner())
+        wait_for(lambda: self.utime() > paused + 900_000, 20, "the picture goes on")
+        wait_for(lambda: not self.banner(), 20, "the banner is gone")
 
     def test_4_saves_a_png(self):
         self.press("s")
-        saved = wait_until("a PNG is there", lambda: list(self.folder.glob("perceptor-*.png")))[0]
-        wait_until("it is written", lambda: saved.read_bytes()[-8:-4] == b"IEND")
+        saved = wait_for(lambda: list(options.out.glob("perceptor-*.png")), 20, "a PNG is there")[0]
+        wait_for(lambda: saved.read_bytes()[-8:-4] == b"IEND", 20, "it is written")
         self.assertEqual(saved.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_5_says_what_is_under_the_pointer(self):
@@ -239,33 +236,34 @@ class PageTest(unittest.TestCase):
         ActionChains(self.browser).drag_and_drop_by_offset(canvas, 100, 0).perform()
         self.assertLess(self.script("perceptor.view.centre.x"), centre)
         self.press("f")
-        wait_until("the robot is in the middle", lambda: self.script(
-            "Math.abs(perceptor.view.centre.x - perceptor.picture.scene.robot[0]) < 1e-6"))
+        wait_for(lambda: self.script(
+            "Math.abs(perceptor.view.centre.x - perceptor.picture.scene.robot[0]) < 1e-6"),
+                 5, "the robot in the middle")
         self.press("0")
 
     def test_7_lists_the_components(self):
         self.press("d")
         for component in ("bridge", "scan", "merge", "localize", "viewer"):
-            row = wait_until(component, lambda name=component: self.browser.find_elements(
-                "id", f"component-{name}"))[0]
+            row = wait_for(lambda name=component: self.browser.find_elements(
+                "id", f"component-{name}"), 5, component)[0]
             self.assertTrue(row.is_displayed())
-        self.browser.save_screenshot(str(self.folder / "components.png"))
+        self.browser.save_screenshot(str(options.out / "components.png"))
         self.press("d")
 
     def test_8_recovers_when_the_server_comes_back(self):
         self.assert_console_is_clean()
-        self.assertEqual(end(self.viewer), 0)
-        wait_until("it says so", lambda: "No connection" in self.banner())
-        type(self).viewer = self.chain.start("viewer", "--port", str(PORT))
+        self.assertEqual(self.processes.stop(self.viewer), 0)
+        wait_for(lambda: "No connection" in self.banner(), 20, "it says so")
+        type(self).viewer = self.processes.start(VIEWER)
         before = self.utime()
-        wait_until("the picture goes on", lambda: self.utime() > before)
-        wait_until("the banner is gone", lambda: not self.banner())
+        wait_for(lambda: self.utime() > before, 20, "the picture goes on")
+        wait_for(lambda: not self.banner(), 20, "the banner is gone")
         self.assert_console_is_clean(allowed=NETWORK_ERROR)
 
     def test_9_says_when_data_stops(self):
-        end(self.bridge)
-        wait_until("it says so", lambda: "No new data for" in self.banner())
-        self.browser.save_screenshot(str(self.folder / "silent.png"))
+        self.processes.stop(self.bridge)
+        wait_for(lambda: "No new data for" in self.banner(), 20, "it says so")
+        self.browser.save_screenshot(str(options.out / "silent.png"))
 
 
 def open_browser(downloads):
@@ -278,19 +276,19 @@ def open_browser(downloads):
     return webdriver.Chrome(service=service, options=chosen)
 
 
-def main():
-    global options
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--bin", required=True, help="where the programs are")
-    parser.add_argument("--out", help="keep the screenshots here")
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
+    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
+    parser.add_argument("--out", type=pathlib.Path, help="where the screenshots stay")
     parser.add_argument("--seconds", type=float, default=30.0, help="of live data to watch")
     options, rest = parser.parse_known_args()
     for program in ("chromium", "chromedriver"):
         if not shutil.which(program):
-            print(f"[  SKIPPED ] no {program}")
-            return 77
-    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+            print("[  SKIPPED ] no", program)
+            sys.exit(SKIPPED)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
+    options.out = options.out or pathlib.Path(tempfile.mkdtemp(prefix="viewer_test-"))
+    options.out.mkdir(parents=True, exist_ok=True)
+    VIEWER = [options.bin / "pico-viewer", "--port", str(PORT)]
+    print("Screenshots in", options.out, flush=True)
+    unittest.main(argv=sys.argv[:1] + rest, verbosity=2)

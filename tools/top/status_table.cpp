@@ -23,7 +23,8 @@ const char* state_of(const pico::status_t& status) {
   if (status.last != 0) return "ended";
   if (status.degraded != 0) return "degraded";
   if (has(pico::status_input_t::STALE)) return "stale";
-  return has(pico::status_input_t::WAITING) ? "waiting" : "ok";
+  const bool has_nothing_to_do = has(pico::status_input_t::WAITING) && published(status) == 0;
+  return has_nothing_to_do ? "waiting" : "ok";
 }
 
 struct Losses {

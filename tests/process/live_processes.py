@@ -1,0 +1,61 @@
+"""Real processes, on the bus of the namespace that a test runs in: see private_bus."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+COMPONENTS = ["locate", "scan", "merge", "identify", "proximity", "globalmap", "localize"]
+
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("CLASSPATH", "DISPLAY", "LCM_DEFAULT_URL")}
+
+
+def wait_for(condition, seconds, what):
+    """The first true value of condition()."""
+    give_up = time.monotonic() + seconds
+    while time.monotonic() < give_up:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise AssertionError(f"not within {seconds} s: {what}")
+
+
+class Processes:
+    """Stopped in the opposite order of their start. What they say stays in the folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.running = []
+
+    def said_by(self, program):
+        return self.folder / f"{program}.log"
+
+    def start(self, command, environment=None, **options):
+        with open(self.said_by(pathlib.Path(command[0]).name), "wb") as said:
+            process = subprocess.Popen(list(map(str, command)), stdout=said, stderr=said,
+                                       env={**ENVIRONMENT, **(environment or {})}, **options)
+        self.running.append(process)
+        return process
+
+    def stop(self, process, number=signal.SIGINT):
+        self.running.remove(process)
+        process.send_signal(number)
+        try:
+            return process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            return process.wait()
+
+    def start_components(self, bin_folder):
+        """All that perceive, in the hospital; each ready."""
+        for name in COMPONENTS:
+            map_option = ["--map", "hospital"] if name in ("globalmap", "localize") else []
+            self.start([bin_folder / f"pico-{name}", *map_option])
+        subprocess.run([bin_folder / "pico-watch", "--wait", ",".join(COMPONENTS)], check=True)
+
+    def stop_all(self):
+        while self.running:
+            self.stop(self.running[-1], signal.SIGTERM)
