@@ -124,7 +124,8 @@ std::vector<Item> identified_items(const Map& identified_map) {
         if (object.type == ObjectType::possible_door) return Mark::possible_door;
         return std::nullopt;
       });
-  for (Item& door : items) door.label = look_of(door.mark).label;
+  for (Item& item : items)
+    if (item.mark == Mark::door) item.label = look_of(Mark::door).label;
   for (std::size_t i = 0; i < identified_map.points.size(); ++i) {
     const Point& point = identified_map.points[i];
     const bool is_shown_already =

@@ -14,8 +14,8 @@ std::vector<Item> current_map_items(const Map& current_map);
 /// Its walls, and where it began.
 std::vector<Item> local_map_items(const Map& local_map);
 
-/// Corners by their property, doors and possible doors. Two ends that form one corner give one
-/// mark.
+/// Corners by their property, doors with a label, possible doors. Two ends that form one corner
+/// give one mark.
 std::vector<Item> identified_items(const Map& identified_map);
 
 /// The robot's outline and the safe distance around it, as they stand in a local map.

@@ -58,7 +58,7 @@ TEST_P(FaceTest, AFileThatIsNotThereExitsWithTwo) {
 
 INSTANTIATE_TEST_SUITE_P(Every, FaceTest,
                          testing::Values("bridge", "locate", "proximity", "scan", "merge",
-                                         "identify", "globalmap", "localize"),
+                                         "identify", "globalmap", "localize", "viewer"),
                          [](const auto& which) { return which.param; });
 
 TEST(Face, NamesTheNearestKeyAndTheFile) {

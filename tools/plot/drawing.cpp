@@ -26,6 +26,7 @@ constexpr double kLegendWidth = 240.0;  // [px]
 constexpr double kMargin = 1.1;         // about all that is shown
 constexpr double kSmallestHalf = 0.5;   // [m]
 constexpr double kLine = 19.0;          // [px] of the legend
+constexpr double kAboveTitle = 6.0;     // [px] more
 constexpr double kInset = 14.0;         // [px] from the picture's edges
 constexpr double kTextSize = 13.0;      // [px]
 constexpr double kLabelAbove = 8.0;     // [px] what it names
@@ -144,29 +145,52 @@ void draw_scale_bar(cairo_t* cairo, const View& view) {
             kTextSize, kInk, Anchor::middle);
 }
 
+/// A line of the legend: the title of a layer, or one of its marks.
+struct LegendLine {
+  Layer layer;
+  std::optional<Mark> mark;
+};
+
 /// The marks that the picture has, by layer, what is drawn last first.
-void draw_legend(cairo_t* cairo, const Scene& scene, const DrawingOptions& options) {
+std::vector<LegendLine> legend_of(const Scene& scene, const DrawingOptions& options) {
   std::array<bool, viewer::kMarks> is_there{};
   for_items(scene, options, [&](const viewer::Item& item, const std::vector<Vector2>&) {
     is_there[static_cast<std::size_t>(item.mark)] = true;
   });
-  const double left = options.width - kLegendWidth + kInset;
-  double y = kInset;
+  std::vector<LegendLine> lines;
   for (std::size_t i = viewer::kLayers; i-- > 0;) {
-    bool has_title = false;
-    for (std::size_t m = 0; m < viewer::kMarks; ++m) {
-      const viewer::MarkLook& look = viewer::kMarkLooks[m];
-      if (!is_there[m] || look.layer != static_cast<Layer>(i)) continue;
-      if (!has_title)
-        draw_text(cairo, std::string(viewer::kLayerLooks[i].title), {left, y += kLine}, kTextSize,
-                  kInk, Anchor::left, true);
-      has_title = true;
-      y += kLine;
-      draw_sample(cairo, look, {left, y - kSample.y()}, kSample);
-      draw_text(cairo, std::string(look.label), {left + kSample.x() + kInset, y - 2.0}, kTextSize,
-                kInk);
+    const auto layer = static_cast<Layer>(i);
+    const std::size_t title = lines.size();
+    for (std::size_t m = 0; m < viewer::kMarks; ++m)
+      if (is_there[m] && viewer::kMarkLooks[m].layer == layer)
+        lines.push_back({layer, static_cast<Mark>(m)});
+    if (lines.size() > title)
+      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(title), {layer, std::nullopt});
+  }
+  return lines;
+}
+
+/// Smaller where it would not fit.
+void draw_legend(cairo_t* cairo, const Scene& scene, const DrawingOptions& options) {
+  const std::vector<LegendLine> lines = legend_of(scene, options);
+  const auto titles = std::ranges::count_if(lines, [](const auto& line) { return !line.mark; });
+  const double height = kLine * static_cast<double>(lines.size()) +
+                        kAboveTitle * static_cast<double>(titles) + 2.0 * kInset;
+  const double scale = std::min(1.0, options.height / height);
+  cairo_translate(cairo, options.width - kLegendWidth + kInset, 0.0);
+  cairo_scale(cairo, scale, scale);
+  double y = kInset;
+  for (const auto& [layer, mark] : lines) {
+    y += kLine;
+    if (mark) {
+      draw_sample(cairo, look_of(*mark), {0.0, y - kSample.y()}, kSample);
+      draw_text(cairo, std::string(look_of(*mark).label), {kSample.x() + kInset, y - 2.0},
+                kTextSize, kInk);
+    } else {
+      y += kAboveTitle;
+      draw_text(cairo, std::string(look_of(layer).title), {0.0, y}, kTextSize, kInk, Anchor::left,
+                true);
     }
-    if (has_title) y += kLine / 3.0;
   }
 }
 

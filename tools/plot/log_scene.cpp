@@ -7,11 +7,26 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
 #include "common/log/event_log.hpp"
+#include "common/messages/schema.hpp"
 #include "common/time/stamp.hpp"
 #include "components/viewer/listen.hpp"
 #include "tools/progress.hpp"
 
 namespace perceptor {
+
+namespace {
+
+/// [us] When the measurement was taken that a message is of; none where it says something else.
+std::optional<std::int64_t> measured_at(const LogEvent& event) {
+  const bool is_time_of_sending =
+      event.channel == channel::global_map || event.channel.starts_with(channel::status_prefix);
+  if (is_time_of_sending ||
+      !messages::find_fault(channel::type_on(event.channel), event.data).empty())
+    return std::nullopt;
+  return messages::stamp_in(event.data)->utime;
+}
+
+}  // namespace
 
 LogScene scene_of_log(const std::filesystem::path& log, double at) {
   lcm::LCM lcm("memq://");
@@ -25,17 +40,19 @@ LogScene scene_of_log(const std::filesystem::path& log, double at) {
   LogScene found;
   std::optional<std::int64_t> first;
   for (LogEvent event; reader.next(event);) {
-    if (!first) first = event.timestamp;
-    const double seconds = seconds_between(*first, event.timestamp);
-    if (seconds > at) break;
-    found.seconds = seconds;
-    progress.at(reader.offset());
     if (channel::type_on(event.channel) == nullptr) continue;
+    if (const auto measured = measured_at(event)) {
+      if (!first) first = measured;
+      const double seconds = seconds_between(*first, *measured);
+      if (seconds > at) break;
+      found.seconds = std::max(found.seconds, seconds);
+    }
+    progress.at(reader.offset());
     lcm.publish(event.channel, event.data.data(), static_cast<unsigned>(event.data.size()));
     while (lcm.handleTimeout(0) > 0) {
     }
   }
-  if (!first) throw LogError(log.string() + ": holds no event");
+  if (!first) throw LogError(log.string() + ": holds no measurement");
   found.scene = newest.scene();
   for (const auto& input : status.message(0, true).inputs) found.rejected += input.rejected;
   return found;

@@ -34,8 +34,8 @@ int plot(PlotOptions options) {
   for (const std::string& id : options.hidden) options.drawing.hidden.insert(layer_named(id));
   const LogScene found = scene_of_log(options.log, options.at);
   draw(found.scene, options.out, options.drawing);
-  std::printf("%s: %.1f s after the log's beginning, %s frame\n", options.out.c_str(),
-              found.seconds, std::string(name(found.scene.frame)).c_str());
+  std::printf("%s: after %.1f s of robot time, %s frame\n", options.out.c_str(), found.seconds,
+              std::string(name(found.scene.frame)).c_str());
   for (const std::string& note : found.scene.notes) std::printf("  %s\n", note.c_str());
   if (found.rejected > 0)
     std::fprintf(stderr, "pico-plot: %lld bad messages passed over\n",
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("--at", options.at,
-                 "[s] after the log's first event, as lcm-logplayer counts; default: its end")
+                 "[s] of robot time after the first measurement; default: the log's end")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", options.out, "the picture: FILE.png or FILE.svg")->capture_default_str();
   app.add_option("--hide", options.hidden, "layers to leave out: truth,beams,...")->delimiter(',');

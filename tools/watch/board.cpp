@@ -27,8 +27,9 @@ std::int64_t rejected(const pico::status_t& status) {
 
 /// Where a component stands in the data flow; strangers come last.
 int rank(const std::string& component) {
-  static constexpr std::array<std::string_view, 8> kFlow = {
-      "bridge", "locate", "proximity", "scan", "merge", "identify", "globalmap", "localize"};
+  static constexpr std::array<std::string_view, 9> kFlow = {
+      "bridge",   "locate",    "proximity", "scan",  "merge",
+      "identify", "globalmap", "localize",  "viewer"};
   return static_cast<int>(std::ranges::find(kFlow, component) - kFlow.begin());
 }
 

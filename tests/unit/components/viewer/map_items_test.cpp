@@ -65,7 +65,7 @@ TEST(MapItems, DoorsAreLabelled) {
   EXPECT_THAT(marks(items), ElementsAre(Mark::door, Mark::possible_door))
       << "the ends of doors are no loose ends of walls";
   EXPECT_EQ(items[0].label, "door");
-  EXPECT_EQ(items[1].label, "possible door");
+  EXPECT_EQ(items[1].label, "") << "there may be many";
 }
 
 TEST(MapItems, TheRobotAndItsSafeDistanceAreNoWalls) {

@@ -23,7 +23,7 @@ void write_log(const std::filesystem::path& file) {
     pico::map_t message = make_map_message("robot", map);
     set_stamp(message, {(i + 1) * kMicrosecondsPerSecond, 1, i});
     const auto bytes = messages::encode(message);
-    const std::int64_t received = (100 + i) * kMicrosecondsPerSecond;
+    const std::int64_t received = 100 + i;  // five seconds of a robot, simulated at once
     log.write(channel::local_map, received, bytes.data(), bytes.size());
     log.write(channel::local_map, received, "bad", 3);
     log.write("SOMEBODY_ELSES", received, "?", 1);
