@@ -16,7 +16,8 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kSigmas = 3.0;
 constexpr double kHeadingLength = 0.45;  // [m] of the arrow from the robot's centre
-constexpr double kWayOutLength = 0.5;    // [m] of the arrow through the opening
+constexpr double kWayOutFrom = 0.15;     // [m] outside of the opening, whose name stands in it
+constexpr double kWayOutTo = 0.7;        // [m]
 constexpr int kCirclePoints = 24;
 constexpr double kArcStep = 0.1;  // [rad] between the points of an arc
 
@@ -67,10 +68,10 @@ std::vector<Item> proximity_items(const std::vector<SectorView>& sectors, double
 std::vector<Item> way_out_items(const WayOut& way_out) {
   std::vector<Item> items;
   if (way_out.found) {
-    const Vector2 step = at(way_out.direction, kWayOutLength);
+    const Vector2 outward = at(way_out.direction, 1.0);
     items.push_back(
         {Mark::entrance,
-         {way_out.middle - step / 2.0, way_out.middle + step / 2.0},
+         {way_out.middle + kWayOutFrom * outward, way_out.middle + kWayOutTo * outward},
          format("best way out, %.2f m wide, confidence %.2f", way_out.width, way_out.confidence)});
   }
   if (way_out.hallway)

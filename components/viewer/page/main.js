@@ -51,7 +51,7 @@ function take(parts) {
     const items = parts[`layer.${id}`];
     if (!items) continue;
     picture.layers.set(id, items);
-    legend.setEmpty(id, items.length === 0);
+    legend.explain(id, items);
   }
   redraw();
 }

@@ -71,7 +71,7 @@ TEST(SensorItems, AnUnknownCovarianceHasNoEllipse) {
       ellipse_item({}, Eigen::Matrix2d::Constant(std::numeric_limits<double>::infinity())));
 }
 
-TEST(SensorItems, TheWayOutPointsThroughTheOpening) {
+TEST(SensorItems, TheWayOutPointsOutward) {
   WayOut way_out;
   way_out.found = true;
   way_out.middle = {2.0, 0.0};
@@ -79,8 +79,9 @@ TEST(SensorItems, TheWayOutPointsThroughTheOpening) {
   way_out.width = 0.9;
   const std::vector<Item> items = way_out_items(way_out);
   ASSERT_EQ(items.size(), 1U);
-  EXPECT_NEAR(items[0].points[0].y(), -items[0].points[1].y(), kExact);
-  EXPECT_GT(items[0].points[1].y(), 0.0);
+  EXPECT_NEAR(items[0].points[0].x(), 2.0, kExact);
+  EXPECT_GT(items[0].points[0].y(), 0.0) << "outside";
+  EXPECT_GT(items[0].points[1].y(), items[0].points[0].y());
   EXPECT_THAT(items[0].text, HasSubstr("0.90 m wide"));
   EXPECT_THAT(way_out_items({}), IsEmpty());
 }
