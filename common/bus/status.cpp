@@ -73,6 +73,13 @@ void Status::counted(std::string_view channel, std::string_view reason, std::int
   if (count > 0) reasons_[{std::string(channel), std::string(reason)}] += count;
 }
 
+void Status::lost(std::string_view channel, std::string_view reason, std::int64_t count) {
+  if (count <= 0) return;
+  const Reason why{std::string(channel), std::string(reason)};
+  reasons_[why] += count;
+  news_[why] += count;
+}
+
 void Status::published(const std::string& channel, const Stamp& stamp) {
   Output& output = outputs_[channel];
   ++output.published;

@@ -40,6 +40,9 @@ class Status {
   /// Something worth counting that turned no message down: beams without a return.
   void counted(std::string_view channel, std::string_view reason, std::int64_t count);
 
+  /// Messages that were lost before anybody saw them: counted like those turned down, and told of.
+  void lost(std::string_view channel, std::string_view reason, std::int64_t count);
+
   void published(const std::string& channel, const Stamp& stamp);
 
   /// Of one message that led to output [us].
@@ -54,7 +57,7 @@ class Status {
   /// The message as of `utime`. An input is stale when nothing came since the last but one.
   pico::status_t message(std::int64_t utime, bool last);
 
-  /// Messages turned down since this was last asked, a line for each reason.
+  /// Messages turned down or lost since this was last asked, a line for each reason.
   std::vector<std::string> take_news();
 
  private:

@@ -4,7 +4,9 @@
 #include <cerrno>
 #include <chrono>
 #include <iostream>
+#include <optional>
 
+#include "common/bus/receiving_socket.hpp"
 #include "common/runner/memory.hpp"
 #include "common/runner/stop_signal.hpp"
 
@@ -12,7 +14,8 @@ namespace perceptor {
 namespace {
 
 constexpr std::int64_t kStatusPeriod = kMicrosecondsPerSecond;
-constexpr int kDrainQuiet_ms = 150;  // nothing for this long: the input is drained
+constexpr int kReceiveBuffer = 4 * 1024 * 1024;  // [bytes] some seconds of all channels
+constexpr int kDrainQuiet_ms = 150;              // nothing for this long: the input is drained
 constexpr std::int64_t kDrainLimit = 5 * kMicrosecondsPerSecond;
 
 template <class Clock>
@@ -22,6 +25,29 @@ std::int64_t microseconds() {
 }
 std::int64_t monotonic_now() { return microseconds<std::chrono::steady_clock>(); }
 std::int64_t wall_now() { return microseconds<std::chrono::system_clock>(); }
+
+/// Keeps what no process of ours sends out of the bus's socket, and counts it.
+class BusGuard {
+ public:
+  /// Once the first subscription has opened the socket; without one there is nothing to guard.
+  explicit BusGuard(const std::string& lcm_url) {
+    if (const auto port = bus_port(lcm_url)) socket_ = ReceivingSocket::find(*port);
+    if (!socket_) return;
+    socket_->let_only_whole_messages_through();
+    socket_->grow_buffer(kReceiveBuffer);
+  }
+
+  void count_drops(Status& status) {
+    if (!socket_) return;
+    const std::int64_t drops = socket_->drops();
+    status.lost("bus", "no whole message, or no room for it", drops - counted_);
+    counted_ = drops;
+  }
+
+ private:
+  std::optional<ReceivingSocket> socket_;
+  std::int64_t counted_ = 0;
+};
 
 /// Waits for one message, at most so long, and handles it. False: the bus is broken.
 bool handle_one(lcm::LCM& lcm, int timeout_ms) {
@@ -39,8 +65,12 @@ void print_news(const Face& face, Status& status) {
     std::cerr << "pico-" << face.name << ": " << line << std::endl;
 }
 
-ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, const Work& work) {
-  bus.publish_status(wall_now(), false);
+ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const Work& work) {
+  const auto publish_status = [&](bool last) {
+    guard.count_drops(bus.status());
+    bus.publish_status(wall_now(), last);
+  };
+  publish_status(false);
   std::int64_t next_status = monotonic_now() + kStatusPeriod;
   while (!stop_requested() && !work.finished()) {
     const std::int64_t next_step = work.step(monotonic_now());
@@ -51,14 +81,14 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, const Work& work) {
       return kExitFailed;
     }
     if (monotonic_now() >= next_status) {
-      bus.publish_status(wall_now(), false);
+      publish_status(false);
       print_news(face, bus.status());
       next_status = std::max(next_status + kStatusPeriod, monotonic_now());
     }
   }
   drain(lcm);
   work.finish();
-  bus.publish_status(wall_now(), true);
+  publish_status(true);
   print_news(face, bus.status());
   return kExitOk;
 }
@@ -83,7 +113,9 @@ ExitCode run(const Face& face, const Options& options, const std::function<Work(
   Status status{std::string(face.name), wall_now()};
   Bus bus(lcm, lcm, status);
   try {
-    return spin(face, lcm, bus, start(bus));
+    const Work work = start(bus);
+    BusGuard guard(options.lcm_url);
+    return spin(face, lcm, bus, guard, work);
   } catch (const config::Error& error) {
     std::cerr << "pico-" << face.name << ": " << error.what() << '\n';
     return kExitUsage;

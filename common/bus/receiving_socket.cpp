@@ -1,0 +1,95 @@
+#include "common/bus/receiving_socket.hpp"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <linux/filter.h>
+#include <linux/sock_diag.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+namespace perceptor {
+namespace {
+
+constexpr std::string_view kScheme = "udpm://";
+constexpr std::uint16_t kDefaultPort = 7667;
+constexpr std::uint32_t kWholeMessage = 0x4C433032;  // "LC02", network order
+constexpr std::uint32_t kMagicAt = 8;                // [bytes] behind the UDP header
+
+std::string default_url() {
+  const char* url = std::getenv("LCM_DEFAULT_URL");
+  return url == nullptr ? std::string(kScheme) : std::string(url);
+}
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+bool is_datagram_socket_on(int descriptor, std::uint16_t port) {
+  int type = 0;
+  socklen_t size = sizeof(type);
+  if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM)
+    return false;
+  sockaddr_in address{};
+  size = sizeof(address);
+  return getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
+         address.sin_family == AF_INET && ntohs(address.sin_port) == port;
+}
+
+}  // namespace
+
+std::optional<std::uint16_t> bus_port(const std::string& lcm_url) {
+  const std::string url = lcm_url.empty() ? default_url() : lcm_url;
+  if (!url.starts_with(kScheme)) return std::nullopt;
+  const std::string place = url.substr(kScheme.size(), url.find('?') - kScheme.size());
+  const std::size_t colon = place.find(':');
+  if (colon == std::string::npos) return kDefaultPort;
+  return number_in<std::uint16_t>(std::string_view(place).substr(colon + 1));
+}
+
+std::optional<ReceivingSocket> ReceivingSocket::find(std::uint16_t port) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const auto descriptor = number_in<int>(entry.path().filename().string());
+    if (descriptor && is_datagram_socket_on(*descriptor, port)) return ReceivingSocket(*descriptor);
+  }
+  return std::nullopt;
+}
+
+void ReceivingSocket::let_only_whole_messages_through() const {
+  constexpr std::uint32_t kAll = 0xFFFFFFFF;
+  std::array<sock_filter, 4> program = {{
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kMagicAt),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kWholeMessage, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, kAll),
+      BPF_STMT(BPF_RET | BPF_K, 0),
+  }};
+  const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
+  if (setsockopt(descriptor_, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof(filter)) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot filter what the bus receives");
+}
+
+int ReceivingSocket::grow_buffer(int bytes) const {
+  setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
+  int granted = 0;
+  socklen_t size = sizeof(granted);
+  getsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &granted, &size);
+  return granted / 2;  // the kernel doubles it, for its own book-keeping: socket(7)
+}
+
+std::int64_t ReceivingSocket::drops() const {
+  std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
+  socklen_t size = sizeof(memory);
+  if (getsockopt(descriptor_, SOL_SOCKET, SO_MEMINFO, memory.data(), &size) != 0) return 0;
+  return memory[SK_MEMINFO_DROPS];
+}
+
+}  // namespace perceptor

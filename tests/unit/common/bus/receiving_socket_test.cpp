@@ -1,0 +1,89 @@
+#include "common/bus/receiving_socket.hpp"
+
+#include <string>
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace perceptor {
+namespace {
+
+TEST(BusPort, IsReadAsLcmReadsIt) {
+  EXPECT_EQ(bus_port("udpm://"), 7667);
+  EXPECT_EQ(bus_port("udpm://239.255.76.67"), 7667);
+  EXPECT_EQ(bus_port("udpm://239.255.76.67?ttl=1"), 7667);
+  EXPECT_EQ(bus_port("udpm://239.255.76.67:7700"), 7700);
+  EXPECT_EQ(bus_port("udpm://239.255.76.67:7700?ttl=0&recv_buf_size=1"), 7700);
+  EXPECT_EQ(bus_port("udpm://:7700"), 7700);
+}
+
+TEST(BusPort, OfWhatIsNoUdpBusIsNone) {
+  EXPECT_FALSE(bus_port("memq://"));
+  EXPECT_FALSE(bus_port("file:///log.lcmlog"));
+  EXPECT_FALSE(bus_port("udpm://239.255.76.67:nonsense"));
+  EXPECT_FALSE(bus_port("udpm://239.255.76.67:99999"));
+}
+
+/// A socket as LCM's, on a port of its own, and what is sent to it within this machine.
+class ReceivingSocketTest : public testing::Test {
+ protected:
+  ReceivingSocketTest() : descriptor_(socket(AF_INET, SOCK_DGRAM, 0)) {
+    address_.sin_family = AF_INET;
+    address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    auto* address = reinterpret_cast<sockaddr*>(&address_);
+    socklen_t size = sizeof(address_);
+    EXPECT_EQ(bind(descriptor_, address, size), 0);
+    EXPECT_EQ(getsockname(descriptor_, address, &size), 0);
+  }
+  ~ReceivingSocketTest() override { close(descriptor_); }
+
+  std::uint16_t port() const { return ntohs(address_.sin_port); }
+
+  void send(const std::string& datagram) const {
+    const int sender = socket(AF_INET, SOCK_DGRAM, 0);
+    sendto(sender, datagram.data(), datagram.size(), 0,
+           reinterpret_cast<const sockaddr*>(&address_), sizeof(address_));
+    close(sender);
+  }
+
+  /// What waits; empty: nothing.
+  std::string receive() const {
+    std::string datagram(100, '\0');
+    const ssize_t size = recv(descriptor_, datagram.data(), datagram.size(), MSG_DONTWAIT);
+    datagram.resize(size < 0 ? 0 : static_cast<std::size_t>(size));
+    return datagram;
+  }
+
+  int descriptor_;
+  sockaddr_in address_{};
+};
+
+TEST_F(ReceivingSocketTest, IsFoundByItsPort) {
+  EXPECT_TRUE(ReceivingSocket::find(port()));
+  EXPECT_FALSE(ReceivingSocket::find(1));
+}
+
+TEST_F(ReceivingSocketTest, OnlyWholeMessagesComeThroughAndTheRestIsCounted) {
+  const auto socket = ReceivingSocket::find(port());
+  ASSERT_TRUE(socket);
+  socket->let_only_whole_messages_through();
+  EXPECT_EQ(socket->drops(), 0);
+  for (const char* kept_out : {"LC03 a fragment", "", "LC0", "something else", "xLC02"})
+    send(kept_out);
+  EXPECT_EQ(receive(), "");
+  EXPECT_EQ(socket->drops(), 5);
+  send("LC02 a message");
+  EXPECT_EQ(receive(), "LC02 a message");
+}
+
+TEST_F(ReceivingSocketTest, TheBufferGrows) {
+  const auto socket = ReceivingSocket::find(port());
+  ASSERT_TRUE(socket);
+  const int small = socket->grow_buffer(10'000);
+  EXPECT_GT(socket->grow_buffer(100'000), small);
+}
+
+}  // namespace
+}  // namespace perceptor
