@@ -25,6 +25,7 @@ inline constexpr const char* global_map = "GLOBAL_MAP";
 inline constexpr const char* world_position = "WORLD_POSITION";
 inline constexpr const char* combined_map = "COMBINED_MAP";
 inline constexpr std::string_view status_prefix = "STATUS_";
+inline constexpr std::string_view command_prefix = "CMD_";
 
 /// The type of the messages on a channel of ours; null for any other channel.
 const lcm_type_info_t* type_on(std::string_view channel);

@@ -136,11 +136,15 @@ bool is_agreed(const pico::map_t& map) {
   return sorted_once(std::move(by_object)) == sorted_once(std::move(by_point));
 }
 
+/// Of one map: 60 megabytes.
+constexpr std::int32_t kMaxParts = 1000;
+
 std::string_view fault_of_head(const pico::map_t& map) {
   if (const auto fault = fault_of_stamp(map); !fault.empty()) return fault;
   if (std::ranges::find(kFrames, map.frame) == kFrames.end()) return "unknown frame";
   const bool is_part = map.part >= 0 && map.part < map.parts;
   if (!is_part) return "part out of range";
+  if (map.parts > kMaxParts) return "too many parts";
   if (!is_utime(map.zero_utime)) return "zero_utime out of range";
   if (!is_pose(map.robot_in_zero)) return "robot_in_zero out of range";
   if (!is_pose(map.laser_in_robot)) return "laser_in_robot out of range";

@@ -33,7 +33,7 @@ void Frames::take_world_pose(std::int64_t utime, const std::optional<Position>& 
 
 void Frames::take_true_pose(std::int64_t utime, const Position& robot_in_world) {
   if (true_world_in_local_) return;
-  first_true_pose_ = {utime, robot_in_world};
+  true_pose_ = {utime, robot_in_world};
   lay_true_world();
 }
 
@@ -44,9 +44,9 @@ void Frames::lay_world() {
 }
 
 void Frames::lay_true_world() {
-  if (true_world_in_local_ || !first_true_pose_) return;
-  if (const auto robot = robot_in_local(first_true_pose_->utime))
-    true_world_in_local_ = compose(*robot, inverse(first_true_pose_->robot));
+  if (true_world_in_local_ || !true_pose_) return;
+  if (const auto robot = robot_in_local(true_pose_->utime))
+    true_world_in_local_ = compose(*robot, inverse(true_pose_->robot));
 }
 
 std::optional<Position> Frames::robot_in_local(std::int64_t utime) const {

@@ -55,10 +55,10 @@ class Frames {
 
   std::optional<Pose> robot_in_zero_;
   Position zero_in_local_;
-  std::deque<Pose> local_poses_;            ///< of the last scans, the newest last
-  std::optional<Pose> world_pose_;          ///< the newest
-  std::optional<Position> world_in_local_;  ///< by the newest scan that has both poses
-  std::optional<Pose> first_true_pose_;
+  std::deque<Pose> local_poses_;                 ///< of the last scans, the newest last
+  std::optional<Pose> world_pose_;               ///< the newest
+  std::optional<Position> world_in_local_;       ///< by the newest scan that has both poses
+  std::optional<Pose> true_pose_;                ///< the newest, until the true world is laid
   std::optional<Position> true_world_in_local_;  ///< by the first scan that has both poses
 };
 

@@ -5,7 +5,7 @@
 namespace perceptor::viewer {
 namespace {
 
-constexpr int kQueue = 50;  // more than the parts of any map; all are handled as they come
+constexpr int kQueue = 100;  // seconds of scans, or the parts of a large map
 
 template <class Message>
 void listen_to(const char* name, Bus& bus, Newest& newest) {

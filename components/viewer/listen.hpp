@@ -6,8 +6,8 @@
 
 namespace perceptor::viewer {
 
-/// `newest` takes every valid message from now on, whatever its stamp: what began anew is for the
-/// picture to see. It must outlive the bus.
+/// `newest` takes every valid message that the bus handles from now on, whatever its stamp: what
+/// began anew is for the picture to see.
 void listen(Bus& bus, Newest& newest);
 
 }  // namespace perceptor::viewer

@@ -41,7 +41,7 @@ std::string describe(const Map& map, const Object& object, std::string_view what
 
 std::string describe(const Point& point, std::string_view what) {
   std::string line(what);
-  line += format(" at (%.3f, %.3f) m", point.location.x(), point.location.y());
+  line += format(" at (%.3f, %.3f) m from where it began", point.location.x(), point.location.y());
   if (point.covariance) {
     const Eigen::Matrix2d& c = *point.covariance;
     line += format(", sigma %.1f mm by %.1f mm", kMillimetres * std::sqrt(c(0, 0)),
@@ -173,7 +173,11 @@ std::vector<Item> obstacle_items(const Map& combined_map) {
 }
 
 std::vector<Item> true_world_items(const Map& world) {
-  return items_of(world, [](const Object&) -> std::optional<Mark> { return Mark::true_wall; });
+  return items_of(world, [](const Object& object) -> std::optional<Mark> {
+    const bool is_open_door = object.type == ObjectType::door && object.reason == "open";
+    if (is_open_door) return std::nullopt;
+    return Mark::true_wall;
+  });
 }
 
 }  // namespace perceptor::viewer

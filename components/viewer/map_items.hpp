@@ -30,7 +30,7 @@ std::vector<Item> combined_map_items(const Map& combined_map);
 /// What is not on the map of the building.
 std::vector<Item> obstacle_items(const Map& combined_map);
 
-/// Everything that stands in the simulated world.
+/// Everything that stands in the simulated world; an open door does not.
 std::vector<Item> true_world_items(const Map& world);
 
 }  // namespace perceptor::viewer

@@ -1,112 +1,69 @@
 #include "components/viewer/newest.hpp"
 
-#include <algorithm>
-#include <array>
-#include <iterator>
 #include <utility>
 
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
-#include "common/text/format.hpp"
-#include "common/time/continuity.hpp"
-#include "components/viewer/map_items.hpp"
-#include "components/viewer/sensor_items.hpp"
+#include "common/time/stamp.hpp"
 
 namespace perceptor::viewer {
-namespace {
-
-/// What comes with each scan or odometry: the others may be silent for a while.
-constexpr std::array kSteadyChannels = {
-    channel::laser,     channel::position,       channel::proximity,     channel::current_map,
-    channel::local_map, channel::identified_map, channel::world_position};
-
-Eigen::Matrix2d covariance_of_place(const double (&covariance)[9]) {
-  Eigen::Matrix2d place;
-  place << covariance[0], covariance[1], covariance[3], covariance[4];
-  return place;
-}
-
-std::vector<SectorView> sectors_of(const pico::proximity_t& proximity) {
-  std::vector<SectorView> sectors;
-  for (std::size_t i = 0; i < proximity.distances.size(); ++i)
-    sectors.push_back({proximity.too_close[i] != 0, proximity.blind[i] != 0,
-                       proximity.contact[i] != 0, proximity.distances[i]});
-  return sectors;
-}
-
-WayOut way_out_of(const pico::entrance_t& entrance) {
-  WayOut way_out;
-  way_out.found = entrance.entrance_found != 0;
-  way_out.middle = {entrance.middle_x, entrance.middle_y};
-  way_out.direction = entrance.direction;
-  way_out.width = entrance.width;
-  way_out.confidence = entrance.confidence;
-  if (entrance.in_hallway != 0)
-    way_out.hallway = {{entrance.centre_x1, entrance.centre_y1},
-                       {entrance.centre_x2, entrance.centre_y2}};
-  way_out.hallway_width = entrance.hallway_width;
-  return way_out;
-}
-
-void append(std::vector<Item>& items, std::vector<Item> more) {
-  items.insert(items.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
-}
-
-std::string note_of(const pico::world_position_t& position) {
-  std::string note = position.state == pico::world_position_t::LOST
-                         ? "lost: the place in the building proved wrong, searching again"
-                         : "searching for the robot in the building";
-  if (position.ambiguous != 0)
-    note += format("; %d places explain all that was seen", position.places);
-  return note + "; its map is shown when the place is known";
-}
-
-}  // namespace
 
 /// GLOBAL_MAP has a session and a time of its own.
 template <class Message>
-void Newest::heard(const std::string& channel, const Message& message) {
+void Newest::hear(const std::string& channel, const Message& message) {
   const bool is_of_the_robot = channel != channel::global_map;
-  if (is_of_the_robot) begin(message.utime, message.session);
-  heard_[channel] = message.utime;
+  if (is_of_the_robot && !clock_.take(channel, message.utime, message.session)) begin_anew();
 }
 
-/// A robot or a log that began anew: nothing of before is where it was, but the building.
-void Newest::begin(std::int64_t utime, std::int64_t session) {
-  const bool goes_on = session == session_ && utime > utime_ - ContinuityWatch::kRestartStep;
-  if (!goes_on) {
-    auto building = maps_.extract(channel::global_map);
-    *this = Newest(parameters_);
-    session_ = session;
-    if (!building.empty()) maps_.insert(std::move(building));
-  }
-  utime_ = std::max(utime_, utime);
+/// Nothing of before is where it was, but the building.
+void Newest::begin_anew() {
+  auto building = maps_.extract(channel::global_map);
+  const ChannelClock clock = clock_;
+  *this = Newest(parameters_);
+  clock_ = clock;
+  if (!building.empty()) maps_.insert(std::move(building));
+}
+
+/// Another zero frame is another beginning, and POSITION has the say about it; what is still of the
+/// one before is not.
+bool Newest::is_of_this_zero(std::int64_t zero_utime) {
+  const bool is_this = !zero_utime_ || *zero_utime_ == zero_utime;
+  if (!is_this && position_) return false;
+  if (!is_this) begin_anew();
+  zero_utime_ = zero_utime;
+  return true;
 }
 
 void Newest::take(const pico::laser_scan_t& scan) {
-  heard(channel::laser, scan);
+  hear(channel::laser, scan);
   scan_ = scan;
 }
 
 void Newest::take(const pico::position_t& position) {
-  heard(channel::position, position);
-  frames_.take_zero_pose(position.utime, to_model(position.robot_in_zero));
+  hear(channel::position, position);
+  if (zero_utime_ && *zero_utime_ != position.zero_utime) begin_anew();
+  zero_utime_ = position.zero_utime;
+  const Position robot_in_zero = to_model(position.robot_in_zero);
+  if (position_)
+    twist_ = twist_between(to_model(position_->robot_in_zero), robot_in_zero,
+                           seconds_between(position_->utime, position.utime));
+  position_ = position;
+  frames_.take_zero_pose(position.utime, robot_in_zero);
   extend_trail();
 }
 
 void Newest::take(const pico::proximity_t& proximity) {
-  heard(channel::proximity, proximity);
+  hear(channel::proximity, proximity);
   proximity_ = proximity;
 }
 
 void Newest::take(const pico::entrance_t& entrance) {
-  heard(channel::entrance, entrance);
+  hear(channel::entrance, entrance);
   entrance_ = entrance;
 }
 
 void Newest::take(const pico::world_position_t& position) {
-  heard(channel::world_position, position);
+  hear(channel::world_position, position);
   world_position_ = position;
   const bool is_known = position.state == pico::world_position_t::TRACKING;
   frames_.take_world_pose(
@@ -114,21 +71,25 @@ void Newest::take(const pico::world_position_t& position) {
 }
 
 void Newest::take(const pico::truth_t& truth) {
-  heard(channel::truth, truth);
+  hear(channel::truth, truth);
   truth_ = truth;
   frames_.take_true_pose(truth.utime, to_model(truth.robot_in_world));
 }
 
 void Newest::take(const std::string& channel, const pico::map_t& map) {
-  heard(channel, map);
-  Parts& known = maps_[channel];
-  const auto parts = static_cast<std::size_t>(map.parts);
-  if (known.map_id != map.map_id || known.parts.size() != parts)
-    known = {map.map_id, std::vector<pico::map_t>(parts)};
-  known.parts[static_cast<std::size_t>(map.part)] = map;
-  if (channel != channel::local_map) return;
+  hear(channel, map);
+  const bool is_local = channel == channel::local_map;
+  if (is_local && !is_of_this_zero(map.zero_utime)) return;
+  keep(channel, map);
+  if (!is_local) return;
   frames_.take_local_pose(map.utime, to_model(map.robot_in_zero), to_model(map.robot_in_local));
   extend_trail();
+}
+
+void Newest::keep(const std::string& channel, const pico::map_t& map) {
+  Parts& known = maps_[channel];
+  if (known.map_id != map.map_id || known.count != map.parts) known = {map.map_id, map.parts, {}};
+  known.there[map.part] = map;
 }
 
 void Newest::extend_trail() {
@@ -138,119 +99,6 @@ void Newest::extend_trail() {
     return;
   trail_.push_back(robot->location());
   if (trail_.size() > static_cast<std::size_t>(parameters_.trail_points)) trail_.pop_front();
-}
-
-std::vector<Item> Newest::items_of(const std::string& channel,
-                                   std::vector<Item> (*items_of_map)(const Map&)) const {
-  std::vector<Item> items;
-  const auto found = maps_.find(channel);
-  if (found == maps_.end()) return items;
-  for (const pico::map_t& part : found->second.parts) {
-    const bool is_in_robot_frame = part.frame == "robot" && channel != channel::current_map;
-    const Position map_in_layer = is_in_robot_frame ? to_model(part.robot_in_local) : Position{};
-    append(items, items_of_map(transform(to_model(part), map_in_layer)));
-  }
-  return items;
-}
-
-void Newest::add_local_layers(Scene& scene) const {
-  const Position local = frames_.local_in_scene();
-  scene[Layer::local_map] = {local, items_of(channel::local_map, local_map_items)};
-  scene[Layer::identified] = {local, items_of(channel::identified_map, identified_items)};
-  scene[Layer::trail].frame_in_scene = local;
-  if (trail_.size() > 1)
-    scene[Layer::trail].items = {
-        {Mark::trail, {trail_.begin(), trail_.end()}, "where the robot has been"}};
-}
-
-void Newest::add_sensor_layers(Scene& scene) const {
-  const auto robot = [&](const char* channel) {
-    const auto utime = heard_.find(channel);
-    return utime == heard_.end() ? frames_.robot_in_scene() : frames_.robot_in_scene(utime->second);
-  };
-  if (scan_) scene[Layer::beams] = {robot(channel::laser), beam_items(to_model(*scan_))};
-  scene[Layer::current_map] = {robot(channel::current_map),
-                               items_of(channel::current_map, current_map_items)};
-  if (proximity_)
-    scene[Layer::proximity] = {robot(channel::proximity),
-                               proximity_items(sectors_of(*proximity_), proximity_->radius)};
-  if (entrance_)
-    scene[Layer::way_out] = {robot(channel::entrance), way_out_items(way_out_of(*entrance_))};
-}
-
-void Newest::add_world_layers(Scene& scene) const {
-  const auto world = frames_.world_in_scene();
-  if (!world) return;
-  scene[Layer::global_map] = {*world, items_of(channel::global_map, global_map_items)};
-  scene[Layer::combined_map] = {*world, items_of(channel::combined_map, combined_map_items)};
-  scene[Layer::obstacles] = {*world, items_of(channel::combined_map, obstacle_items)};
-}
-
-void Newest::add_true_layer(Scene& scene) const {
-  const auto world = frames_.true_world_in_scene();
-  if (!truth_ || !world) return;
-  LayerScene& layer = scene[Layer::truth];
-  layer = {*world, items_of(channel::world, true_world_items)};
-  for (const pico::mover_truth_t& mover : truth_->movers)
-    layer.items.push_back(
-        disc_item(Mark::true_mover, {mover.x, mover.y}, mover.radius, "a person, in truth"));
-  layer.items.push_back(
-      heading_item(Mark::true_robot, to_model(truth_->robot_in_world), "the robot, in truth"));
-}
-
-void Newest::add_robot_layer(Scene& scene) const {
-  LayerScene& layer = scene[Layer::robot];
-  layer.frame_in_scene = scene.robot_in_scene;
-  if (const auto map = maps_.find(channel::local_map); map != maps_.end())
-    layer.items = robot_items(to_model(map->second.parts.front()));
-  if (auto ellipse = pose_ellipse()) layer.items.push_back(std::move(*ellipse));
-  if (utime_ > 0) layer.items.push_back(heading_item(Mark::heading, {}, "the robot"));
-}
-
-/// In the robot frame.
-std::optional<Item> Newest::pose_ellipse() const {
-  Position robot;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  const auto local = maps_.find(channel::local_map);
-  if (frames_.frame() == SceneFrame::world && world_position_) {
-    robot = to_model(world_position_->robot_in_world);
-    covariance = covariance_of_place(world_position_->covariance);
-  } else if (local != maps_.end()) {
-    robot = to_model(local->second.parts.front().robot_in_local);
-    covariance = covariance_of_place(local->second.parts.front().robot_in_local_covariance);
-  }
-  std::optional<Item> ellipse = ellipse_item(robot, covariance);
-  if (ellipse)
-    for (Vector2& point : ellipse->points) point = transform(inverse(robot), point);
-  return ellipse;
-}
-
-std::vector<std::string> Newest::notes() const {
-  if (heard_.empty()) return {"nothing has come yet: is pico-bridge running, on this bus?"};
-  std::vector<std::string> notes;
-  if (world_position_ && world_position_->state != pico::world_position_t::TRACKING)
-    notes.push_back(note_of(*world_position_));
-  for (const char* channel : kSteadyChannels) {
-    const auto known = heard_.find(channel);
-    if (known == heard_.end()) continue;
-    const double age = seconds_between(known->second, utime_);
-    if (age > parameters_.stale) notes.push_back(format("%s is %.0f s old", channel, age));
-  }
-  return notes;
-}
-
-Scene Newest::scene() const {
-  Scene scene;
-  scene.frame = frames_.frame();
-  scene.utime = utime_;
-  scene.robot_in_scene = frames_.robot_in_scene();
-  add_world_layers(scene);
-  add_sensor_layers(scene);
-  add_true_layer(scene);
-  add_local_layers(scene);
-  add_robot_layer(scene);
-  scene.notes = notes();
-  return scene;
 }
 
 }  // namespace perceptor::viewer

@@ -1,7 +1,7 @@
 /// @file The newest message of each channel, and the picture that they give together.
 ///
-/// What was sent decides the picture, and nothing else does: no clock, and no order of arrival
-/// beyond that within a channel.
+/// What was sent decides the picture, and nothing else does: no clock; and in between two
+/// beginnings of the robot no order of arrival beyond that within a channel.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,9 @@
 #include <pico/truth_t.hpp>
 #include <pico/world_position_t.hpp>
 
+#include "common/geometry/twist.hpp"
 #include "common/model/map.hpp"
+#include "components/viewer/channel_clock.hpp"
 #include "components/viewer/frames.hpp"
 #include "components/viewer/scene.hpp"
 
@@ -49,16 +51,20 @@ class Newest {
   Scene scene() const;
 
  private:
-  /// A map that comes in parts is shown as soon as one part is there.
+  /// A map that comes in parts is shown as soon as one part is there. Never without a part.
   struct Parts {
     std::int64_t map_id = 0;
-    std::vector<pico::map_t> parts;
+    std::int32_t count = 0;
+    std::map<std::int32_t, pico::map_t> there;
   };
 
   template <class Message>
-  void heard(const std::string& channel, const Message& message);
-  void begin(std::int64_t utime, std::int64_t session);
+  void hear(const std::string& channel, const Message& message);
+  void begin_anew();
+  bool is_of_this_zero(std::int64_t zero_utime);
+  void keep(const std::string& channel, const pico::map_t& map);
   void extend_trail();
+  const pico::map_t* local_map() const;
   std::vector<Item> items_of(const std::string& channel,
                              std::vector<Item> (*items_of_map)(const Map&)) const;
   void add_local_layers(Scene& scene) const;
@@ -70,12 +76,13 @@ class Newest {
   std::vector<std::string> notes() const;
 
   NewestParameters parameters_;
-  std::int64_t session_ = 0;
-  std::int64_t utime_ = 0;
-  std::map<std::string, std::int64_t> heard_;  ///< [us] utime of a channel's newest
+  ChannelClock clock_;
+  std::optional<std::int64_t> zero_utime_;  ///< names the zero frame: see position_t
   Frames frames_;
   std::deque<Vector2> trail_;  ///< [m] local frame
   std::map<std::string, Parts> maps_;
+  std::optional<pico::position_t> position_;
+  Twist twist_;  ///< over the last two positions
   std::optional<pico::laser_scan_t> scan_;
   std::optional<pico::proximity_t> proximity_;
   std::optional<pico::entrance_t> entrance_;

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
@@ -16,11 +18,12 @@
 namespace perceptor::viewer {
 namespace {
 
-constexpr int kPageThreads = 4;  // answer for the page's files beside those who look
-constexpr int kRead_s = 2;       // a client that asks more slowly is cut off
-constexpr int kWrite_s = 5;      // and one that takes nothing for so long
+constexpr int kPageThreads = 4;         // answer for the page's files beside those who look
+constexpr int kRead_s = 2;              // a client that sends nothing for so long is cut off
+constexpr int kWrite_s = 2;             // and one that takes nothing
+constexpr int kSendBuffer = 64 * 1024;  // [bytes] of scenes that a slow client is behind
 constexpr std::chrono::milliseconds kBeat{1000};  // a client that went away is noticed by then
-constexpr int kForbidden = 405;                   // "Method Not Allowed"
+constexpr int kNotAllowed = 405;                  // "Method Not Allowed"
 constexpr int kBusy = 503;                        // "Service Unavailable"
 
 /// The newest parts, each with the number of the scene that brought its change.
@@ -49,6 +52,11 @@ class Board {
         json.append(json.empty() ? "{\"" : ",\"").append(name).append("\":").append(part.text);
     seen = newest_;
     return json.empty() ? json : json + "}";
+  }
+
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    parts_.clear();
   }
 
   void close() {
@@ -84,10 +92,32 @@ const char* mime_type(std::string_view path) {
   return "application/json";
 }
 
-/// The library's own choice lets a second server take the same port in silence.
-void let_nobody_share_the_port(int socket) {
+/// The library's own choice lets a second server take the same port in silence. The connections
+/// take over the size of the buffer.
+void prepare(int listening_socket) {
   const int yes = 1;
-  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  setsockopt(listening_socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  setsockopt(listening_socket, SOL_SOCKET, SO_SNDBUF, &kSendBuffer, sizeof(kSendBuffer));
+}
+
+bool is_tcp_socket_on(int descriptor, int port) {
+  int type = 0;
+  socklen_t size = sizeof(type);
+  if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_STREAM)
+    return false;
+  sockaddr_in address{};
+  size = sizeof(address);
+  return getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
+         address.sin_family == AF_INET && ntohs(address.sin_port) == port;
+}
+
+/// Ends whatever the library still reads or writes, for which it would wait as long as somebody
+/// sends a byte now and then. It does not hand out its connections.
+void cut_connections(int port) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int descriptor = std::atoi(entry.path().filename().c_str());
+    if (is_tcp_socket_on(descriptor, port)) shutdown(descriptor, SHUT_RDWR);
+  }
 }
 
 }  // namespace
@@ -99,7 +129,7 @@ class SceneServer::Impl {
     server_.new_task_queue = [threads = parameters.clients + kPageThreads] {
       return new httplib::ThreadPool(static_cast<std::size_t>(threads));
     };
-    server_.set_socket_options(let_nobody_share_the_port);
+    server_.set_socket_options(prepare);
     server_.set_keep_alive_timeout(kRead_s);
     server_.set_read_timeout(kRead_s);
     server_.set_write_timeout(kWrite_s);
@@ -108,7 +138,7 @@ class SceneServer::Impl {
                                  {"Cache-Control", "no-store"}});
     server_.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& reply) {
       if (request.method == "GET") return httplib::Server::HandlerResponse::Unhandled;
-      reply.status = kForbidden;
+      reply.status = kNotAllowed;
       reply.set_header("Allow", "GET");
       return httplib::Server::HandlerResponse::Handled;
     });
@@ -132,12 +162,14 @@ class SceneServer::Impl {
   ~Impl() {
     board_.close();
     server_.stop();
+    cut_connections(parameters_.port);
     listening_.join();
   }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   void publish(const JsonParts& parts) { board_.publish(parts); }
+  void forget() { board_.forget(); }
   int clients() const { return clients_; }
 
  private:
@@ -172,6 +204,7 @@ SceneServer::SceneServer(const ServerParameters& parameters, std::vector<PageFil
 SceneServer::~SceneServer() = default;
 
 void SceneServer::publish(const JsonParts& parts) { impl_->publish(parts); }
+void SceneServer::forget() { impl_->forget(); }
 int SceneServer::clients() const { return impl_->clients(); }
 
 }  // namespace perceptor::viewer

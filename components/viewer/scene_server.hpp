@@ -2,7 +2,8 @@
 /// "HTML Living Standard", 9.2). It knows nothing of what is in a scene.
 ///
 /// A client gets the parts that changed since the last that it took. One that is slow skips what
-/// came in between: nothing is kept for it, and nobody waits for it.
+/// came in between: nothing is kept for it but what its socket holds, and nobody waits for it. The
+/// library reads as long a request as somebody sends, so it is for those whom one trusts.
 #pragma once
 
 #include <memory>
@@ -29,12 +30,16 @@ class SceneServer {
  public:
   /// Listens from now on. Answers GET only. Throws std::runtime_error where it cannot listen.
   SceneServer(const ServerParameters& parameters, std::vector<PageFile> files);
+  /// Cuts off whoever is still connected.
   ~SceneServer();
   SceneServer(const SceneServer&) = delete;
   SceneServer& operator=(const SceneServer&) = delete;
 
   /// Replaces these parts of the scene. Never waits for a client.
   void publish(const JsonParts& parts);
+
+  /// Nothing is known any more: who comes next sees nothing old.
+  void forget();
 
   /// Who looks.
   int clients() const;

@@ -40,15 +40,21 @@ std::string text_of(const SectorView& sector, double from, double to) {
 
 }  // namespace
 
-std::vector<Item> beam_items(const LaserScan& scan) {
-  Item fan{Mark::beam_fan, {scan.laser_in_robot.location()}};
+std::vector<Item> beam_items(const LaserScan& scan, const Twist& twist) {
+  std::vector<Item> items;
   Item ends{Mark::beam_end, {}};
-  for (const BeamEnd& end : beam_ends(scan)) {
-    fan.points.push_back(end.location);
+  const BeamEnd* before = nullptr;
+  const std::vector<BeamEnd> all = beam_ends(scan, twist);
+  for (const BeamEnd& end : all) {
+    const bool is_neighbour =
+        before != nullptr && (end.beam == before->beam + 1 || before->beam == end.beam + 1);
+    if (!is_neighbour) items.push_back({Mark::beam_fan, {end.origin}});
+    items.back().points.push_back(end.location);
     ends.points.push_back(end.location);
+    before = &end;
   }
-  if (ends.points.empty()) return {};
-  return {std::move(fan), std::move(ends)};
+  if (!ends.points.empty()) items.push_back(std::move(ends));
+  return items;
 }
 
 std::vector<Item> proximity_items(const std::vector<SectorView>& sectors, double radius) {

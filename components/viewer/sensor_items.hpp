@@ -12,8 +12,9 @@
 
 namespace perceptor::viewer {
 
-/// The ends of all beams that returned, and the space that they passed. Robot frame.
-std::vector<Item> beam_items(const LaserScan& scan);
+/// The ends of all beams that returned, and the space between neighbours of them; the robot moved
+/// at `twist` during the sweep. Robot frame at the first beam.
+std::vector<Item> beam_items(const LaserScan& scan, const Twist& twist = {});
 
 /// One of the equal sectors around the robot.
 struct SectorView {

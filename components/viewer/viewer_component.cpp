@@ -50,7 +50,10 @@ ViewerComponent::ViewerComponent(const ViewerConfig& config, Bus& bus)
 std::int64_t ViewerComponent::step(std::int64_t now) {
   if (now < next_) return next_;
   next_ = now + period_;
-  if (server_.clients() == 0) return next_;
+  if (server_.clients() == 0) {
+    server_.forget();
+    return next_;
+  }
   viewer::JsonParts parts = viewer::to_json(newest_.scene());
   parts["status"] = viewer::to_json(statuses_);
   server_.publish(parts);

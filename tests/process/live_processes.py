@@ -34,7 +34,7 @@ class Processes:
         return self.folder / f"{program}.log"
 
     def start(self, command, environment=None, **options):
-        with open(self.said_by(pathlib.Path(command[0]).name), "wb") as said:
+        with open(self.said_by(pathlib.Path(command[0]).name), "ab") as said:
             process = subprocess.Popen(list(map(str, command)), stdout=said, stderr=said,
                                        env={**ENVIRONMENT, **(environment or {})}, **options)
         self.running.append(process)

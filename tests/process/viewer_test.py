@@ -222,7 +222,7 @@ class PageTest(unittest.TestCase):
         ActionChains(self.browser).move_to_element_with_offset(
             canvas, x - canvas.size["width"] / 2, y - canvas.size["height"] / 2).perform()
         text = self.browser.find_element("id", "hover").text
-        self.assertRegex(text, r"convex corner at \(.*\) m, sigma .* mm")
+        self.assertRegex(text, r"convex corner at \(.*\) m from where it began, sigma .* mm")
         self.press(" ")
 
     def test_6_zooms_pans_and_follows(self):

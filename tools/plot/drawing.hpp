@@ -2,19 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <set>
 
-#include "components/viewer/scene.hpp"
+#include "tools/plot/shown.hpp"
 
 namespace perceptor {
-
-struct DrawingOptions {
-  int width = 1400;                ///< [px] of the picture, legend included
-  int height = 900;                ///< [px]
-  std::optional<double> around{};  ///< [m] shown on each side of the robot; without, everything
-  std::set<viewer::Layer> hidden{};
-};
 
 /// What the legend says is what the picture has: layers without marks are left out. Throws
 /// std::runtime_error where the file cannot be written, or ends neither in .png nor in .svg.

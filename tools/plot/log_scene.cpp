@@ -18,11 +18,11 @@ namespace {
 
 /// [us] When the measurement was taken that a message is of; none where it says something else.
 std::optional<std::int64_t> measured_at(const LogEvent& event) {
-  const bool is_time_of_sending =
-      event.channel == channel::global_map || event.channel.starts_with(channel::status_prefix);
-  if (is_time_of_sending ||
-      !messages::find_fault(channel::type_on(event.channel), event.data).empty())
-    return std::nullopt;
+  const bool says_something_else = event.channel == channel::global_map ||
+                                   event.channel.starts_with(channel::status_prefix) ||
+                                   event.channel.starts_with(channel::command_prefix);
+  const lcm_type_info_t* type = channel::type_on(event.channel);
+  if (says_something_else || !messages::find_fault(type, event.data).empty()) return std::nullopt;
   return messages::stamp_in(event.data)->utime;
 }
 

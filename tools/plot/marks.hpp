@@ -1,6 +1,7 @@
 /// @file One mark of a scene, drawn by cairo as the page of the viewer draws it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ void draw_mark(cairo_t* cairo, const viewer::MarkLook& look, const std::vector<V
 /// As the legend shows it, in a box.
 void draw_sample(cairo_t* cairo, const viewer::MarkLook& look, const Vector2& corner,
                  const Vector2& size);
+
+inline constexpr double kTextSize = 13.0;       ///< [px]
+inline constexpr std::int32_t kInk = 0x111111;  ///< of text
 
 enum class Anchor { left, middle };
 void draw_text(cairo_t* cairo, const std::string& text, const Vector2& place, double size,

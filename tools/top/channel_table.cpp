@@ -9,7 +9,12 @@ namespace perceptor {
 namespace {
 
 constexpr std::int64_t kWindow = 2 * kMicrosecondsPerSecond;
-constexpr double kSilent = 3.0;  // [s] slower than any channel of ours
+constexpr double kSilent = 3.0;  // [s] slower than what our components send by themselves
+
+/// Commands come when there is something to say, and what others send is theirs to know.
+bool comes_by_itself(const std::string& name) {
+  return channel::type_on(name) != nullptr && !name.starts_with(channel::command_prefix);
+}
 
 }  // namespace
 
@@ -44,7 +49,8 @@ std::vector<Row> ChannelTable::rows(std::int64_t now) const {
     }
     const double seconds = seconds_between(0, kWindow);
     const double age = seconds_between(channel.recent.back().when, now);
-    const bool is_alarming = channel.bad > 0 || channel.watch.missed() > 0 || age > kSilent;
+    const bool is_alarming =
+        channel.bad > 0 || channel.watch.missed() > 0 || (age > kSilent && comes_by_itself(name));
     rows.push_back({format("%-22s %8.1f %9.1f %8zu %8lld %6lld %9.1f", name.c_str(),
                            count / seconds, bytes / seconds / 1000.0, channel.recent.back().size,
                            static_cast<long long>(channel.watch.missed()),

@@ -43,11 +43,11 @@ class Listener {
     lcm.subscribe(".*", &Listener::on_message, this)->setQueueCapacity(kQueue);
     bus_.subscribe_command<pico::status_t>(
         std::string(channel::status_prefix) + ".*", kQueue,
-        [this](const pico::status_t& status) { components_.take(status); });
+        [this](const pico::status_t& status) { components_.take(status, monotonic_now()); });
   }
 
   std::vector<Row> rows() const {
-    std::vector<Row> rows = components_.rows();
+    std::vector<Row> rows = components_.rows(monotonic_now());
     rows.emplace_back();
     std::ranges::move(channels_.rows(monotonic_now()), std::back_inserter(rows));
     return rows;

@@ -1,5 +1,8 @@
 #include "tools/top/screen.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include <curses.h>
 
 namespace perceptor {
@@ -31,13 +34,18 @@ Screen::~Screen() { endwin(); }
 
 void Screen::show(const std::vector<Row>& rows) {
   erase();
-  for (int i = 0; i < static_cast<int>(rows.size()) && i < LINES - 1; ++i) {
+  const int room = LINES - 1;
+  const int count = static_cast<int>(rows.size());
+  for (int i = 0; i < std::min(count, room); ++i) {
     const Row& row = rows[static_cast<std::size_t>(i)];
     attron(attributes(row.look));
     mvaddnstr(i, 0, row.text.c_str(), COLS);
     attroff(attributes(row.look));
   }
-  mvaddnstr(LINES - 1, 0, "q ends; red: something was lost, turned down, or has stopped", COLS);
+  std::string help = "q ends; red: something was lost, turned down, or has stopped";
+  if (count > room)
+    help = std::to_string(count - room) + " more rows: make the window higher. " + help;
+  mvaddnstr(room, 0, help.c_str(), COLS);
   refresh();
 }
 

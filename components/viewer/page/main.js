@@ -7,10 +7,31 @@ import { View } from "./view.js";
 
 const AGAIN = 1000; // [ms] from a lost connection to the next try
 const SILENCE = 2000; // [ms] after which the page says that data stopped
+const NO_CONNECTION = "No connection to pico-viewer: trying again";
+const ASIDE = 14; // [px] from the pointer to what it says
 const WHEEL = 1.0015; // zoom for each pixel of the wheel
 
 const byId = (id) => document.getElementById(id);
-const legendData = await (await fetch("legend.json")).json();
+
+function say(text) {
+  byId("banner").textContent = text;
+  byId("banner").hidden = text === "";
+}
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+async function fetchLegend() {
+  for (;;) {
+    try {
+      return await (await fetch("legend.json")).json();
+    } catch {
+      say(NO_CONNECTION);
+      await pause(AGAIN);
+    }
+  }
+}
+
+const legendData = await fetchLegend();
 const canvas = byId("picture");
 const view = new View();
 const picture = new Picture(canvas, view, legendData);
@@ -21,7 +42,7 @@ const legend = new Legend(byId("legend"), legendData, (id, shown) => {
 });
 
 // What the user chose, and what is known of the connection.
-const page = { paused: false, follow: false, fitted: true, connected: false, lastNews: performance.now() };
+const page = { paused: false, follow: false, fitted: true, lastUtime: 0, lastNews: performance.now(), trouble: "" };
 window.perceptor = { page, picture, view }; // for tests, and for the curious
 
 let drawing = false;
@@ -36,14 +57,26 @@ function redraw() {
       view.fit(picture.box());
       picture.draw();
     }
+    explainPointer();
   });
+}
+
+// Beside the pointer, on the side where there is room.
+function explainPointer() {
+  const hover = byId("hover"), at = page.pointer;
+  const text = at ? picture.textAt(at.x, at.y) : "";
+  hover.textContent = text;
+  hover.hidden = text === "";
+  if (!text) return;
+  const { width, height } = view.size;
+  hover.style.left = `${at.x < width / 2 ? at.x + ASIDE : at.x - ASIDE - hover.offsetWidth}px`;
+  hover.style.top = `${at.y < height / 2 ? at.y + ASIDE : at.y - ASIDE - hover.offsetHeight}px`;
 }
 
 function take(parts) {
   if (parts.status) timeline.take(parts.status);
   if (parts.scene) {
-    if (parts.scene.utime !== picture.scene.utime) page.lastNews = performance.now();
-    if (parts.scene.frame !== picture.scene.frame) page.fitted = true;
+    if (parts.scene.frame !== picture.scene.frame) page.fitted = !page.follow;
     picture.scene = parts.scene;
     showState();
   }
@@ -67,28 +100,45 @@ function showState() {
 }
 
 function watchConnection() {
-  const silent = performance.now() - page.lastNews;
-  let text = "";
-  if (!page.connected) text = "No connection to pico-viewer: trying again";
-  else if (silent > SILENCE) text = `No new data for ${Math.floor(silent / 1000)} s`;
-  else if (page.paused) text = "Paused: the picture stands still";
-  byId("banner").textContent = text;
-  byId("banner").hidden = text === "";
+  const now = performance.now();
+  const silent = now - page.lastNews;
+  timeline.markSilent(now);
+  if (page.trouble) say(page.trouble);
+  else if (silent > SILENCE) say(`No new data for ${Math.floor(silent / 1000)} s`);
+  else say(page.paused ? "Paused: the picture stands still" : "");
+}
+
+// EventSource does not tell why it was turned away.
+async function whyNot() {
+  const asking = new AbortController();
+  try {
+    const reply = await fetch("scenes", { signal: asking.signal });
+    return reply.ok ? NO_CONNECTION : await reply.text();
+  } catch {
+    return NO_CONNECTION;
+  } finally {
+    asking.abort();
+  }
 }
 
 function connect() {
   const source = new EventSource("scenes");
-  source.onopen = () => (page.connected = true);
+  source.onopen = () => (page.trouble = "");
   source.onmessage = ({ data }) => {
     const parts = JSON.parse(data);
-    if (!page.paused) return take(parts);
-    page.lastNews = performance.now();
-    page.missed = { ...page.missed, ...parts };
+    if (parts.scene && parts.scene.utime !== page.lastUtime) {
+      page.lastUtime = parts.scene.utime;
+      page.lastNews = performance.now();
+    }
+    if (page.paused) page.missed = { ...page.missed, ...parts };
+    else take(parts);
   };
-  source.onerror = () => {
+  source.onerror = async () => {
     source.close();
-    page.connected = false;
-    setTimeout(connect, AGAIN);
+    page.trouble = NO_CONNECTION;
+    page.trouble = await whyNot();
+    await pause(AGAIN);
+    connect();
   };
 }
 
@@ -140,7 +190,7 @@ for (const name of Object.keys(actions))
   });
 
 document.addEventListener("keydown", (event) => {
-  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.ctrlKey || event.altKey || event.metaKey || event.repeat) return;
   const layer = legendData.layers.find(({ key }) => key === event.key);
   if (layer) legend.toggle(layer.id);
   else if (keys[event.key]) actions[keys[event.key]]();
@@ -162,14 +212,13 @@ canvas.addEventListener("pointermove", (event) => {
     view.pan(event.movementX, event.movementY);
     redraw();
   }
-  const text = picture.textAt(event.offsetX, event.offsetY);
-  const hover = byId("hover");
-  hover.textContent = text;
-  hover.hidden = text === "";
-  hover.style.left = `${event.offsetX + 14}px`;
-  hover.style.top = `${event.offsetY + 14}px`;
+  page.pointer = { x: event.offsetX, y: event.offsetY };
+  explainPointer();
 });
-canvas.addEventListener("pointerleave", () => (byId("hover").hidden = true));
+canvas.addEventListener("pointerleave", () => {
+  page.pointer = undefined;
+  explainPointer();
+});
 canvas.addEventListener("dblclick", actions.fit);
 new ResizeObserver(redraw).observe(canvas);
 setInterval(watchConnection, 250);

@@ -1,9 +1,9 @@
-// Rates, latency and rejects of each component over the last two minutes, from its STATUS.
+// Rates, latency and rejects of each component over its last STATUS messages, one a second.
 
 import { sharpen } from "./draw.js";
 
-const KEPT = 120; // statuses, one a second
-const SILENT = 3e6; // [us] a component that said nothing for longer is silent
+const KEPT = 120; // of them
+const SILENT = 3000; // [ms] a component that said nothing for longer is silent
 const SPARK = { width: 120, height: 18 }; // [px]
 
 const sum = (numbers) => numbers.reduce((total, number) => total + number, 0);
@@ -55,6 +55,7 @@ class Row {
     this.history.push(sample(status, this.status));
     if (this.history.length > KEPT) this.history.shift();
     this.status = status;
+    this.heard = performance.now();
     this.plot();
   }
 
@@ -86,14 +87,17 @@ export class Timeline {
   }
 
   take(statuses) {
-    const newest = Math.max(...statuses.map((status) => status.utime));
     for (const status of statuses) {
       if (!this.rows.has(status.component))
         this.rows.set(status.component, new Row(this.body, status.component));
       const row = this.rows.get(status.component);
       const isNew = row.status?.utime !== status.utime || row.status?.boot !== status.boot;
       if (isNew) row.take(status);
-      row.row.classList.toggle("silent", newest - status.utime > SILENT);
     }
+  }
+
+  // By the page's own clock: a replayed STATUS has the time when it was recorded.
+  markSilent(now) {
+    for (const row of this.rows.values()) row.row.classList.toggle("silent", now - row.heard > SILENT);
   }
 }

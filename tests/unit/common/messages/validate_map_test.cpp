@@ -41,6 +41,7 @@ const MapCase kHeadCases[] = {
     {"PartNegative", [](map_t& m) { m.part = -1; }, "part out of range"},
     {"PartBeyond", [](map_t& m) { m.part = 1; }, "part out of range"},
     {"PartsNone", [](map_t& m) { m.parts = 0; }, "part out of range"},
+    {"PartsTooMany", [](map_t& m) { m.parts = 1001; }, "too many parts"},
     {"PartLast", [](map_t& m) { m.part = 1, m.parts = 2; }, ""},
     {"ZeroUtime", [](map_t& m) { m.zero_utime = -1; }, "zero_utime out of range"},
     {"ZeroPose", [](map_t& m) { m.robot_in_zero.y = kNan; }, "robot_in_zero out of range"},

@@ -91,6 +91,13 @@ TEST(MapItems, TheCombinedMapShowsWhatWasFound) {
               ElementsAre(Mark::static_obstacle, Mark::dynamic_obstacle));
 }
 
+TEST(MapItems, AnOpenDoorOfTheTrueWorldIsNotThere) {
+  Map map;
+  add(map, ObjectType::door, "open");
+  add(map, ObjectType::door, "shut");
+  EXPECT_EQ(true_world_items(map).size(), 1U);
+}
+
 TEST(MapItems, ACabinetDrawnAsALineIsClosed) {
   Map map;
   Object cabinet;

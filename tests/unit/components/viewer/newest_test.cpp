@@ -135,6 +135,34 @@ TEST(Newest, ALogThatBeginsAnewIsANewSession) {
   EXPECT_THAT(newest.scene()[Layer::current_map].items, IsEmpty());
 }
 
+TEST(Newest, AChannelThatIsLateIsNoNewBeginning) {
+  Newest newest;
+  for (int i = 0; i < 50; ++i) newest.take(position(i * kSecond / 10, {0.2 * i, 0.0, 0.0}));
+  newest.take(channel::local_map, wall_map("robot", kSecond));
+  EXPECT_EQ(newest.scene()[Layer::trail].items.at(0).points.size(), 50U);
+}
+
+TEST(Newest, AnotherZeroFrameIsANewBeginning) {
+  Newest newest;
+  newest.take(position(kSecond, {9.0, 0.0, 0.0}));
+  newest.take(channel::local_map, wall_map("robot", kSecond, {9.0, 0.0, 0.0}));
+  pico::position_t restarted = position(2 * kSecond, {});
+  restarted.zero_utime = 2 * kSecond;
+  newest.take(restarted);
+  EXPECT_THAT(newest.scene()[Layer::local_map].items, IsEmpty());
+  newest.take(channel::local_map, wall_map("robot", 2 * kSecond, {9.0, 0.0, 0.0}));
+  EXPECT_THAT(newest.scene()[Layer::local_map].items, IsEmpty()) << "still of the zero before";
+}
+
+TEST(Newest, APartOfManyTakesNoMoreThanItself) {
+  Newest newest;
+  pico::map_t message = wall_map("robot", kSecond);
+  message.part = 7;
+  message.parts = 1'000'000'000;
+  newest.take(channel::local_map, message);
+  EXPECT_EQ(newest.scene()[Layer::local_map].items.size(), 1U);
+}
+
 TEST(Newest, TellsOfAChannelThatStopped) {
   Newest newest;
   newest.take(channel::local_map, wall_map("robot", kSecond));

@@ -20,10 +20,9 @@ TEST(SceneLooks, EachLayerHasItsOwnNameAndKey) {
 }
 
 TEST(SceneLooks, NoTwoMarksDifferByColourAlone) {
-  std::set<std::tuple<Layer, Shape, double, double, double>> looks;
+  std::set<std::tuple<Shape, double, double, double>> looks;
   for (const MarkLook& mark : kMarkLooks)
-    EXPECT_TRUE(looks.insert({mark.layer, mark.shape, mark.width, mark.dash, mark.fill}).second)
-        << mark.label;
+    EXPECT_TRUE(looks.insert({mark.shape, mark.width, mark.dash, mark.fill}).second) << mark.label;
 }
 
 TEST(SceneLooks, EveryMarkIsNamed) {

@@ -13,17 +13,20 @@ using testing::IsEmpty;
 
 constexpr double kExact = 1e-9;
 
-TEST(SensorItems, OnlyBeamsThatReturnedEndSomewhere) {
+TEST(SensorItems, WhereNoBeamReturnedNothingIsSeenAsFree) {
   LaserScan scan;
   scan.laser_in_robot = {0.1, 0.0, 0.0};
   scan.valid_max = 10.0;
-  scan.bearings = {-0.5, 0.0, 0.5};
-  scan.ranges = {2.0, std::numeric_limits<double>::quiet_NaN(), 2.0};
+  scan.bearings = {-0.5, -0.4, 0.0, 0.4, 0.5};
+  scan.ranges = {2.0, 2.0, std::numeric_limits<double>::quiet_NaN(), 2.0, 2.0};
   const std::vector<Item> items = beam_items(scan);
-  ASSERT_EQ(items.size(), 2U);
-  EXPECT_EQ(items[0].points.size(), 3U) << "the laser and two ends";
-  EXPECT_EQ(items[0].points[0], Vector2(0.1, 0.0));
-  EXPECT_EQ(items[1].points.size(), 2U);
+  ASSERT_EQ(items.size(), 3U) << "two fans, and the ends";
+  for (const std::size_t fan : {0U, 1U}) {
+    EXPECT_EQ(items[fan].mark, Mark::beam_fan);
+    EXPECT_EQ(items[fan].points.size(), 3U) << "the laser and two ends";
+    EXPECT_EQ(items[fan].points[0], Vector2(0.1, 0.0));
+  }
+  EXPECT_EQ(items[2].points.size(), 4U);
 }
 
 TEST(SensorItems, AScanWithoutReturnsGivesNothing) {

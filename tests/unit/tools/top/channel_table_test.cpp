@@ -51,8 +51,10 @@ TEST(ChannelTable, AlarmsWhereBytesAreNoneOfTheChannelsType) {
 TEST(ChannelTable, AlarmsWhereAChannelHasStopped) {
   ChannelTable table;
   table.take(channel::odometry, odometry(0), 0);
-  EXPECT_EQ(table.rows(5'000'000).at(1).look, Row::Look::alarm);
-  EXPECT_THAT(table.rows(5'000'000).at(1).text, HasSubstr(" 5.0"));
+  table.take(channel::open_door, {}, 0);
+  ASSERT_THAT(table.rows(0).at(1).text, HasSubstr("CMD_OPEN_DOOR"));
+  EXPECT_EQ(table.rows(5'000'000).at(2).look, Row::Look::alarm);
+  EXPECT_THAT(table.rows(5'000'000).at(2).text, HasSubstr(" 5.0"));
 }
 
 }  // namespace

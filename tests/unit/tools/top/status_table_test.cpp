@@ -22,9 +22,9 @@ pico::status_t status(std::int64_t utime, std::int64_t published, double cpu_s) 
 
 TEST(StatusTable, RatesAreThoseBetweenTheLastTwo) {
   StatusTable table;
-  table.take(status(1'000'000, 10, 1.0));
-  table.take(status(3'000'000, 90, 1.5));
-  const std::vector<Row> rows = table.rows();
+  table.take(status(1'000'000, 10, 1.0), 0);
+  table.take(status(3'000'000, 90, 1.5), 0);
+  const std::vector<Row> rows = table.rows(0);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_THAT(rows[1].text, HasSubstr("scan        ok"));
   EXPECT_THAT(rows[1].text, HasSubstr(" 40.0 ")) << "80 messages in 2 s";
@@ -34,11 +34,11 @@ TEST(StatusTable, RatesAreThoseBetweenTheLastTwo) {
 
 TEST(StatusTable, AProcessThatWasStartedAgainHasNoRateYet) {
   StatusTable table;
-  table.take(status(1'000'000, 1000, 9.0));
+  table.take(status(1'000'000, 1000, 9.0), 0);
   pico::status_t restarted = status(2'000'000, 1, 0.1);
   restarted.boot = 2;
-  table.take(restarted);
-  EXPECT_THAT(table.rows().at(1).text, HasSubstr(" 0.0 "));
+  table.take(restarted, 0);
+  EXPECT_THAT(table.rows(0).at(1).text, HasSubstr(" 0.0 "));
 }
 
 TEST(StatusTable, SaysWhatStateAComponentIsIn) {
@@ -46,22 +46,29 @@ TEST(StatusTable, SaysWhatStateAComponentIsIn) {
   pico::status_t waiting = status(1, 0, 0.0);
   waiting.inputs[0].state = pico::status_input_t::WAITING;
   waiting.note = "waits for PICO_LASER";
-  table.take(waiting);
-  EXPECT_THAT(table.rows().at(1).text, HasSubstr("waiting"));
-  EXPECT_THAT(table.rows().at(1).text, HasSubstr("waits for PICO_LASER"));
+  table.take(waiting, 0);
+  EXPECT_THAT(table.rows(0).at(1).text, HasSubstr("waiting"));
+  EXPECT_THAT(table.rows(0).at(1).text, HasSubstr("waits for PICO_LASER"));
   pico::status_t ended = status(2, 0, 0.0);
   ended.last = 1;
-  table.take(ended);
-  EXPECT_THAT(table.rows().at(1).text, HasSubstr("ended"));
-  EXPECT_EQ(table.rows().at(1).look, Row::Look::alarm);
+  table.take(ended, 0);
+  EXPECT_THAT(table.rows(0).at(1).text, HasSubstr("ended"));
+  EXPECT_EQ(table.rows(0).at(1).look, Row::Look::alarm);
+}
+
+TEST(StatusTable, AComponentThatSaysNothingMoreIsSilent) {
+  StatusTable table;
+  table.take(status(1, 0, 0.0), 0);
+  EXPECT_THAT(table.rows(5'000'000).at(1).text, HasSubstr("silent"));
+  EXPECT_EQ(table.rows(5'000'000).at(1).look, Row::Look::alarm);
 }
 
 TEST(StatusTable, AlarmsWhereMessagesWereTurnedDown) {
   StatusTable table;
   pico::status_t rejecting = status(1, 0, 0.0);
   rejecting.inputs[0].rejected = 2;
-  table.take(rejecting);
-  EXPECT_EQ(table.rows().at(1).look, Row::Look::alarm);
+  table.take(rejecting, 0);
+  EXPECT_EQ(table.rows(0).at(1).look, Row::Look::alarm);
 }
 
 }  // namespace
