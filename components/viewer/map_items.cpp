@@ -1,5 +1,6 @@
 #include "components/viewer/map_items.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -84,10 +85,10 @@ Mark mark_of(PointProperty property) {
 }
 
 bool is_of_a_wall(const Map& map, const Point& point) {
-  if (point.parents.empty()) return true;  // a lone corner
-  for (const Index parent : point.parents)
-    if (map.objects[static_cast<std::size_t>(parent)].type == ObjectType::wall) return true;
-  return false;
+  const bool is_lone_corner = point.parents.empty();
+  return is_lone_corner || std::ranges::any_of(point.parents, [&](Index parent) {
+           return map.objects[static_cast<std::size_t>(parent)].type == ObjectType::wall;
+         });
 }
 
 Mark wall_mark(const Object& wall) {

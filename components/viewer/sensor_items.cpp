@@ -89,7 +89,7 @@ std::vector<Item> way_out_items(const WayOut& way_out) {
 
 std::optional<Item> ellipse_item(const Position& robot, const Eigen::Matrix2d& covariance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance);
-  const Eigen::Vector2d variances = axes.eigenvalues();
+  const Eigen::Vector2d& variances = axes.eigenvalues();
   if (axes.info() != Eigen::Success || !(variances.minCoeff() > 0.0)) return std::nullopt;
   const Eigen::Vector2d radii = kSigmas * variances.cwiseSqrt();
   Item ellipse{Mark::pose_ellipse,
@@ -114,7 +114,7 @@ Item heading_item(Mark mark, const Position& robot, std::string text) {
 Item disc_item(Mark mark, const Vector2& centre, double radius, std::string text) {
   Item disc{mark, {}, std::move(text)};
   for (int i = 0; i < kCirclePoints; ++i)
-    disc.points.push_back(centre + at(kTwoPi * i / kCirclePoints, radius));
+    disc.points.emplace_back(centre + at(kTwoPi * i / kCirclePoints, radius));
   return disc;
 }
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/common/messages/samples.hpp"
+#include "tests/support/message_samples.hpp"
 
 namespace perceptor {
 namespace {

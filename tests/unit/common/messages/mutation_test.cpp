@@ -7,7 +7,7 @@
 #include "common/messages/convert.hpp"
 #include "common/messages/schema.hpp"
 #include "tests/support/allocation_watch.hpp"
-#include "tests/unit/common/messages/samples.hpp"
+#include "tests/support/message_samples.hpp"
 
 namespace perceptor::messages {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/allocation_watch.hpp"
-#include "tests/unit/common/messages/samples.hpp"
+#include "tests/support/message_samples.hpp"
 
 namespace perceptor::messages {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/messages/convert.hpp"
-#include "tests/unit/common/messages/samples.hpp"
+#include "tests/support/message_samples.hpp"
 
 namespace perceptor::messages {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/unit/common/messages/samples.hpp"
+#include "tests/support/message_samples.hpp"
 
 #include <limits>
 
