@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::string_view kScheme = "udpm://";
 constexpr std::uint16_t kDefaultPort = 7667;
+constexpr int kBuffer = 4 * 1024 * 1024;             // [bytes] capped by net.core.rmem_max
 constexpr std::uint32_t kWholeMessage = 0x4C433032;  // "LC02", network order
 constexpr std::uint32_t kMagicAt = 8;                // [bytes] behind the UDP header
 
@@ -56,15 +57,22 @@ std::optional<std::uint16_t> bus_port(const std::string& lcm_url) {
   return number_in<std::uint16_t>(std::string_view(place).substr(colon + 1));
 }
 
-std::optional<ReceivingSocket> ReceivingSocket::find(std::uint16_t port) {
+ReceivingSockets::ReceivingSockets(std::uint16_t port) {
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
     const auto descriptor = number_in<int>(entry.path().filename().string());
-    if (descriptor && is_datagram_socket_on(*descriptor, port)) return ReceivingSocket(*descriptor);
+    if (descriptor && is_datagram_socket_on(*descriptor, port)) descriptors_.push_back(*descriptor);
   }
-  return std::nullopt;
 }
 
-void ReceivingSocket::let_only_whole_messages_through() const {
+ReceivingSockets ReceivingSockets::guard(const std::string& lcm_url) {
+  const auto port = bus_port(lcm_url);
+  ReceivingSockets sockets = port ? ReceivingSockets(*port) : ReceivingSockets();
+  sockets.let_only_whole_messages_through();
+  sockets.grow_buffers(kBuffer);
+  return sockets;
+}
+
+void ReceivingSockets::let_only_whole_messages_through() const {
   constexpr std::uint32_t kAll = 0xFFFFFFFF;
   std::array<sock_filter, 4> program = {{
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kMagicAt),
@@ -73,23 +81,26 @@ void ReceivingSocket::let_only_whole_messages_through() const {
       BPF_STMT(BPF_RET | BPF_K, 0),
   }};
   const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
-  if (setsockopt(descriptor_, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof(filter)) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot filter what the bus receives");
+  for (const int descriptor : descriptors_)
+    if (setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof(filter)) != 0)
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot filter what the bus receives");
 }
 
-int ReceivingSocket::grow_buffer(int bytes) const {
-  setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
-  int granted = 0;
-  socklen_t size = sizeof(granted);
-  getsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &granted, &size);
-  return granted / 2;  // the kernel doubles it, for its own book-keeping: socket(7)
+void ReceivingSockets::grow_buffers(int bytes) const {
+  for (const int descriptor : descriptors_)
+    setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
 }
 
-std::int64_t ReceivingSocket::drops() const {
-  std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
-  socklen_t size = sizeof(memory);
-  if (getsockopt(descriptor_, SOL_SOCKET, SO_MEMINFO, memory.data(), &size) != 0) return 0;
-  return memory[SK_MEMINFO_DROPS];
+std::int64_t ReceivingSockets::drops() const {
+  std::int64_t sum = 0;
+  for (const int descriptor : descriptors_) {
+    std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
+    socklen_t size = sizeof(memory);
+    if (getsockopt(descriptor, SOL_SOCKET, SO_MEMINFO, memory.data(), &size) == 0)
+      sum += memory[SK_MEMINFO_DROPS];
+  }
+  return sum;
 }
 
 }  // namespace perceptor

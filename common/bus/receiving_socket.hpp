@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace perceptor {
 
@@ -15,27 +16,34 @@ namespace perceptor {
 /// LCM_DEFAULT_URL, else LCM's own default. None where the URL names no UDP bus.
 std::optional<std::uint16_t> bus_port(const std::string& lcm_url);
 
-class ReceivingSocket {
+/// The sockets of this process that are bound to a bus's port. LCM opens one at the first
+/// subscribe, and does not hand it out; those of an LCM program that started this one were
+/// inherited, and are as dangerous.
+class ReceivingSockets {
  public:
-  /// Finds the socket of this process that is bound to the bus's port; LCM opens it at the first
-  /// subscribe, and does not hand it out. None: there is no such socket.
-  static std::optional<ReceivingSocket> find(std::uint16_t port);
+  explicit ReceivingSockets(std::uint16_t port);
+
+  /// Finds them, filters them, and gives them room for seconds of all channels. Call it after the
+  /// first subscribe; where the URL names no UDP bus there are none. Throws std::system_error.
+  static ReceivingSockets guard(const std::string& lcm_url);
+
+  std::size_t size() const { return descriptors_.size(); }
 
   /// Only datagrams with a whole LCM message ("LC02") come through from now on. Throws
   /// std::system_error.
   void let_only_whole_messages_through() const;
 
-  /// Asks for so much room [bytes]; gives what the kernel grants.
-  int grow_buffer(int bytes) const;
+  /// Asks for so much room [bytes] in each; the kernel may grant less (net.core.rmem_max).
+  void grow_buffers(int bytes) const;
 
-  /// Datagrams that the kernel dropped since the socket was opened: kept out by the filter, or no
+  /// Datagrams that the kernel dropped since the sockets were opened: kept out by the filter, or no
   /// room in the buffer.
   std::int64_t drops() const;
 
  private:
-  explicit ReceivingSocket(int descriptor) : descriptor_(descriptor) {}
+  ReceivingSockets() = default;
 
-  int descriptor_;  ///< LCM's own: never closed here
+  std::vector<int> descriptors_;  ///< LCM's own: never closed here
 };
 
 }  // namespace perceptor

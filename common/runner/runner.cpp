@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <iostream>
-#include <optional>
 
 #include "common/bus/receiving_socket.hpp"
 #include "common/runner/memory.hpp"
@@ -14,8 +13,7 @@ namespace perceptor {
 namespace {
 
 constexpr std::int64_t kStatusPeriod = kMicrosecondsPerSecond;
-constexpr int kReceiveBuffer = 4 * 1024 * 1024;  // [bytes] some seconds of all channels
-constexpr int kDrainQuiet_ms = 150;              // nothing for this long: the input is drained
+constexpr int kDrainQuiet_ms = 150;  // nothing for this long: the input is drained
 constexpr std::int64_t kDrainLimit = 5 * kMicrosecondsPerSecond;
 
 template <class Clock>
@@ -26,26 +24,19 @@ std::int64_t microseconds() {
 std::int64_t monotonic_now() { return microseconds<std::chrono::steady_clock>(); }
 std::int64_t wall_now() { return microseconds<std::chrono::system_clock>(); }
 
-/// Keeps what no process of ours sends out of the bus's socket, and counts it.
+/// Counts what the kernel kept out of the bus's socket.
 class BusGuard {
  public:
-  /// Once the first subscription has opened the socket; without one there is nothing to guard.
-  explicit BusGuard(const std::string& lcm_url) {
-    if (const auto port = bus_port(lcm_url)) socket_ = ReceivingSocket::find(*port);
-    if (!socket_) return;
-    socket_->let_only_whole_messages_through();
-    socket_->grow_buffer(kReceiveBuffer);
-  }
+  explicit BusGuard(const std::string& lcm_url) : sockets_(ReceivingSockets::guard(lcm_url)) {}
 
   void count_drops(Status& status) {
-    if (!socket_) return;
-    const std::int64_t drops = socket_->drops();
+    const std::int64_t drops = sockets_.drops();
     status.lost("bus", "no whole message, or no room for it", drops - counted_);
     counted_ = drops;
   }
 
  private:
-  std::optional<ReceivingSocket> socket_;
+  ReceivingSockets sockets_;
   std::int64_t counted_ = 0;
 };
 

@@ -46,6 +46,7 @@ Process::Process(const std::vector<std::string>& command, const fs::path& output
     const int output = open(output_file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
+    close_range(STDERR_FILENO + 1, ~0U, 0);  // LCM's sockets are the test's, not the child's
     execvp(arguments[0], arguments.data());
     _exit(127);
   }

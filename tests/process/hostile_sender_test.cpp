@@ -65,7 +65,7 @@ class HostileSenderTest : public testing::Test {
  protected:
   HostileSenderTest() {
     // This process listens to the same bus, and has to survive as well.
-    if (const auto socket = ReceivingSocket::find(kPort)) socket->let_only_whole_messages_through();
+    ReceivingSockets::guard("");
   }
 
   std::int64_t kept_out() {

@@ -11,6 +11,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
+#include "common/bus/receiving_socket.hpp"
 #include "common/runner/stop_signal.hpp"
 #include "tools/cli.hpp"
 #include "tools/top/channel_table.hpp"
@@ -92,6 +93,7 @@ int top(const TopOptions& options) {
     return kExitFailed;
   }
   const Listener listener(lcm);
+  ReceivingSockets::guard(options.lcm_url);
   if (options.once || isatty(STDOUT_FILENO) == 0) return print_once(lcm, listener);
   return keep_showing(lcm, listener);
 }

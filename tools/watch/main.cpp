@@ -12,6 +12,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
+#include "common/bus/receiving_socket.hpp"
 #include "common/runner/stop_signal.hpp"
 #include "tools/cli.hpp"
 #include "tools/watch/board.hpp"
@@ -103,6 +104,7 @@ int watch_bus(const WatchOptions& options) {
   Board board;
   bus.subscribe_command<pico::status_t>(std::string(channel::status_prefix) + ".*", 200,
                                         [&](const pico::status_t& s) { board.take(s); });
+  ReceivingSockets::guard(options.lcm_url);
   if (!options.wait_for.empty())
     return wait_for_components(lcm, board, options) ? kExitOk : kExitFailed;
 

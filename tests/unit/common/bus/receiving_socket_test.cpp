@@ -61,28 +61,39 @@ class ReceivingSocketTest : public testing::Test {
 };
 
 TEST_F(ReceivingSocketTest, IsFoundByItsPort) {
-  EXPECT_TRUE(ReceivingSocket::find(port()));
-  EXPECT_FALSE(ReceivingSocket::find(1));
+  EXPECT_EQ(ReceivingSockets(port()).size(), 1U);
+  EXPECT_EQ(ReceivingSockets(1).size(), 0U);
+  const int inherited = dup(descriptor_);
+  EXPECT_EQ(ReceivingSockets(port()).size(), 2U);
+  close(inherited);
 }
 
 TEST_F(ReceivingSocketTest, OnlyWholeMessagesComeThroughAndTheRestIsCounted) {
-  const auto socket = ReceivingSocket::find(port());
-  ASSERT_TRUE(socket);
-  socket->let_only_whole_messages_through();
-  EXPECT_EQ(socket->drops(), 0);
+  const ReceivingSockets sockets(port());
+  sockets.let_only_whole_messages_through();
+  EXPECT_EQ(sockets.drops(), 0);
   for (const char* kept_out : {"LC03 a fragment", "", "LC0", "something else", "xLC02"})
     send(kept_out);
   EXPECT_EQ(receive(), "");
-  EXPECT_EQ(socket->drops(), 5);
+  EXPECT_EQ(sockets.drops(), 5);
   send("LC02 a message");
   EXPECT_EQ(receive(), "LC02 a message");
 }
 
-TEST_F(ReceivingSocketTest, TheBufferGrows) {
-  const auto socket = ReceivingSocket::find(port());
-  ASSERT_TRUE(socket);
-  const int small = socket->grow_buffer(10'000);
-  EXPECT_GT(socket->grow_buffer(100'000), small);
+TEST_F(ReceivingSocketTest, ALargerBufferHoldsMore) {
+  const ReceivingSockets sockets(port());
+  const auto held = [&] {
+    int count = 0;
+    for (int i = 0; i < 100; ++i) send("LC02" + std::string(1000, 'x'));
+    while (!receive().empty()) ++count;
+    return count;
+  };
+  sockets.grow_buffers(5'000);
+  const int few = held();
+  EXPECT_LT(few, 20);
+  sockets.grow_buffers(100'000);
+  EXPECT_GT(held(), few);
+  EXPECT_GT(sockets.drops(), 0);
 }
 
 }  // namespace
