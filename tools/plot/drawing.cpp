@@ -33,6 +33,7 @@ void draw_items(cairo_t* cairo, const Scene& scene, const View& view,
   std::vector<Label> labels;
   for_items(scene, options, [&](const viewer::Item& item, const std::vector<Vector2>& points) {
     std::vector<Vector2> places;
+    places.reserve(points.size());
     for (const Vector2& point : points) places.push_back(view.place(point));
     draw_mark(cairo, look_of(item.mark), places);
     if (!item.label.empty()) labels.push_back({item, (places.front() + places.back()) / 2.0});

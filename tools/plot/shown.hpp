@@ -25,6 +25,7 @@ void for_items(const viewer::Scene& scene, const DrawingOptions& options, const 
     if (options.hidden.contains(layer)) continue;
     for (const viewer::Item& item : scene[layer].items) {
       std::vector<Vector2> points;
+      points.reserve(item.points.size());
       for (const Vector2& point : item.points)
         points.push_back(transform(scene[layer].frame_in_scene, point));
       use(item, points);

@@ -35,7 +35,7 @@ Box box_of(const Scene& scene, const DrawingOptions& options, const Counts& coun
 
 /// Single beams that went astray count only where there is nothing else.
 Box box_of(const Scene& scene, const DrawingOptions& options) {
-  const Box box = box_of(
+  Box box = box_of(
       scene, options, [](Layer layer) { return layer != Layer::beams && layer != Layer::robot; });
   if (!box.is_empty()) return box;
   const Box of_all = box_of(scene, options, [](Layer) { return true; });

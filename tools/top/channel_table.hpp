@@ -18,7 +18,7 @@ class ChannelTable {
   using Bytes = std::span<const std::uint8_t>;
 
   /// One message, and when it arrived [us, monotonic].
-  void take(const std::string& channel, Bytes payload, std::int64_t now);
+  void take(const std::string& name, Bytes payload, std::int64_t now);
 
   /// A title and a row for each channel in the order of their names, as of `now` [us, monotonic].
   /// Rates are those of the last two seconds.

@@ -74,12 +74,12 @@ int print_once(lcm::LCM& lcm, const Listener& listener) {
 }
 
 int keep_showing(lcm::LCM& lcm, const Listener& listener) {
-  Screen screen;
+  const Screen screen;
   std::int64_t next = 0;
   while (!stop_requested() && !Screen::wants_to_end()) {
     lcm.handleTimeout(kWait_ms);
     if (monotonic_now() < next) continue;
-    screen.show(listener.rows());
+    Screen::show(listener.rows());
     next = monotonic_now() + kPeriod;
   }
   return kExitOk;

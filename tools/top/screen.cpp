@@ -23,7 +23,7 @@ Screen::Screen() {
   noecho();
   curs_set(0);
   nodelay(stdscr, TRUE);
-  if (has_colors() == TRUE) {
+  if (has_colors()) {
     start_color();
     use_default_colors();
     init_pair(kAlarm, COLOR_RED, -1);

@@ -14,6 +14,7 @@ using testing::UnorderedElementsAre;
 
 std::vector<Mark> marks(const std::vector<Item>& items) {
   std::vector<Mark> marks;
+  marks.reserve(items.size());
   for (const Item& item : items) marks.push_back(item.mark);
   return marks;
 }

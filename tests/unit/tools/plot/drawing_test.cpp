@@ -1,5 +1,7 @@
 #include "tools/plot/drawing.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -27,7 +29,7 @@ int count_pixels(const std::filesystem::path& png, std::uint32_t colour) {
       cairo_image_surface_create_from_png(png.c_str()), cairo_surface_destroy);
   EXPECT_EQ(cairo_surface_status(image.get()), CAIRO_STATUS_SUCCESS);
   const unsigned char* bytes = cairo_image_surface_get_data(image.get());
-  const int stride = cairo_image_surface_get_stride(image.get());
+  const std::ptrdiff_t stride = cairo_image_surface_get_stride(image.get());
   int count = 0;
   for (int y = 0; y < cairo_image_surface_get_height(image.get()); ++y) {
     const auto* row = reinterpret_cast<const std::uint32_t*>(bytes + y * stride);
