@@ -4,14 +4,14 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <filesystem>
 #include <string_view>
 #include <system_error>
 
 #include <linux/filter.h>
 #include <linux/sock_diag.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
+
+#include "common/bus/own_sockets.hpp"
 
 namespace perceptor {
 namespace {
@@ -35,17 +35,6 @@ std::optional<Number> number_in(std::string_view text) {
   return number;
 }
 
-bool is_datagram_socket_on(int descriptor, std::uint16_t port) {
-  int type = 0;
-  socklen_t size = sizeof(type);
-  if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM)
-    return false;
-  sockaddr_in address{};
-  size = sizeof(address);
-  return getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
-         address.sin_family == AF_INET && ntohs(address.sin_port) == port;
-}
-
 }  // namespace
 
 std::optional<std::uint16_t> bus_port(const std::string& lcm_url) {
@@ -57,12 +46,8 @@ std::optional<std::uint16_t> bus_port(const std::string& lcm_url) {
   return number_in<std::uint16_t>(std::string_view(place).substr(colon + 1));
 }
 
-ReceivingSockets::ReceivingSockets(std::uint16_t port) {
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    const auto descriptor = number_in<int>(entry.path().filename().string());
-    if (descriptor && is_datagram_socket_on(*descriptor, port)) descriptors_.push_back(*descriptor);
-  }
-}
+ReceivingSockets::ReceivingSockets(std::uint16_t port)
+    : descriptors_(own_sockets(SOCK_DGRAM, port)) {}
 
 ReceivingSockets ReceivingSockets::guard(const std::string& lcm_url) {
   const auto port = bus_port(lcm_url);

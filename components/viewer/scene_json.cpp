@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/bus/losses.hpp"
 #include "common/text/format.hpp"
 
 namespace perceptor::viewer {
@@ -40,18 +41,6 @@ std::string_view name(Shape shape) {
   static constexpr std::array<std::string_view, 8> kNames = {
       "line", "polygon", "dot", "ring", "square", "triangle", "cross", "arrow"};
   return kNames[static_cast<std::size_t>(shape)];
-}
-
-std::int64_t rejected(const pico::status_t& status) {
-  std::int64_t sum = 0;
-  for (const auto& input : status.inputs) sum += input.rejected;
-  return sum;
-}
-
-std::int64_t missed(const pico::status_t& status) {
-  std::int64_t sum = 0;
-  for (const auto& input : status.inputs) sum += input.missed;
-  return sum;
 }
 
 }  // namespace
@@ -91,14 +80,15 @@ std::string legend_json() {
 std::string to_json(const std::map<std::string, pico::status_t>& statuses) {
   Json list = Json::array();
   for (const auto& [component, status] : statuses) {
+    const Losses losses = losses_of(status);
     Json published = Json::object();
     for (const auto& output : status.outputs) published[output.channel] = output.published;
     list.push_back({{"component", component},
                     {"boot", status.boot},
                     {"utime", status.utime},
                     {"published", published},
-                    {"rejected", rejected(status)},
-                    {"missed", missed(status)},
+                    {"rejected", losses.rejected},
+                    {"missed", losses.missed},
                     {"p50", status.p50_us},
                     {"p99", status.p99_us},
                     {"cpu", status.cpu_s},

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
@@ -14,6 +12,8 @@
 
 #include <httplib.h>
 #include <sys/socket.h>
+
+#include "common/bus/own_sockets.hpp"
 
 namespace perceptor::viewer {
 namespace {
@@ -100,24 +100,11 @@ void prepare(int listening_socket) {
   setsockopt(listening_socket, SOL_SOCKET, SO_SNDBUF, &kSendBuffer, sizeof(kSendBuffer));
 }
 
-bool is_tcp_socket_on(int descriptor, int port) {
-  int type = 0;
-  socklen_t size = sizeof(type);
-  if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_STREAM)
-    return false;
-  sockaddr_in address{};
-  size = sizeof(address);
-  return getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) == 0 &&
-         address.sin_family == AF_INET && ntohs(address.sin_port) == port;
-}
-
 /// Ends whatever the library still reads or writes, for which it would wait as long as somebody
 /// sends a byte now and then. It does not hand out its connections.
 void cut_connections(int port) {
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    const int descriptor = std::atoi(entry.path().filename().c_str());
-    if (is_tcp_socket_on(descriptor, port)) shutdown(descriptor, SHUT_RDWR);
-  }
+  for (const int connection : own_sockets(SOCK_STREAM, static_cast<std::uint16_t>(port)))
+    shutdown(connection, SHUT_RDWR);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tools/plot/log_scene.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include <lcm/lcm-cpp.hpp>
@@ -13,7 +14,6 @@
 #include "tools/progress.hpp"
 
 namespace perceptor {
-
 namespace {
 
 /// [us] When the measurement was taken that a message is of; none where it says something else.

@@ -20,7 +20,6 @@ bool comes_by_itself(const std::string& name) {
 
 void ChannelTable::take(const std::string& name, Bytes payload, std::int64_t now) {
   Channel& channel = channels_[name];
-  ++channel.count;
   channel.recent.push_back({now, payload.size()});
   while (channel.recent.size() > 1 && channel.recent.front().when < now - kWindow)
     channel.recent.pop_front();

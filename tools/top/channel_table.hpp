@@ -30,7 +30,6 @@ class ChannelTable {
     std::size_t size;   ///< [bytes]
   };
   struct Channel {
-    std::int64_t count = 0;
     std::int64_t bad = 0;  ///< not the bytes of the channel's type
     std::deque<Arrival> recent;
     ContinuityWatch watch;  ///< where the messages have stamps

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <memory>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Shows the components and all channels of the bus as a table: rates, sizes, latency, and "
       "what "
-      "was lost or turned down.",
+      "was lost.",
       "pico-top"};
   app.add_option("--lcm-url", options.lcm_url,
                  "the bus; without it LCM_DEFAULT_URL, else LCM's own default");

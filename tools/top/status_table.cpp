@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "common/bus/losses.hpp"
 #include "common/text/format.hpp"
 #include "common/time/stamp.hpp"
 
@@ -27,20 +28,6 @@ const char* state_of(const pico::status_t& status) {
   if (has(pico::status_input_t::STALE)) return "stale";
   const bool has_nothing_to_do = has(pico::status_input_t::WAITING) && published(status) == 0;
   return has_nothing_to_do ? "waiting" : "ok";
-}
-
-struct Losses {
-  std::int64_t rejected = 0;
-  std::int64_t missed = 0;
-};
-
-Losses losses_of(const pico::status_t& status) {
-  Losses losses;
-  for (const auto& input : status.inputs) {
-    losses.rejected += input.rejected;
-    losses.missed += input.missed;
-  }
-  return losses;
 }
 
 }  // namespace

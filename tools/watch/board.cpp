@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "common/bus/losses.hpp"
 #include "common/messages/convert.hpp"
 #include "common/text/format.hpp"
 #include "common/time/stamp.hpp"
@@ -19,17 +20,11 @@ std::int64_t published_on(const pico::status_t& status, const std::string& chann
   return 0;
 }
 
-std::int64_t rejected(const pico::status_t& status) {
-  std::int64_t sum = 0;
-  for (const auto& input : status.inputs) sum += input.rejected;
-  return sum;
-}
-
 /// Where a component stands in the data flow; strangers come last.
 int rank(const std::string& component) {
-  static constexpr std::array<std::string_view, 9> kFlow = {
-      "bridge",   "locate",    "proximity", "scan",  "merge",
-      "identify", "globalmap", "localize",  "viewer"};
+  static constexpr std::array<std::string_view, 9> kFlow = {"bridge",    "locate",   "proximity",
+                                                            "scan",      "merge",    "identify",
+                                                            "globalmap", "localize", "viewer"};
   return static_cast<int>(std::ranges::find(kFlow, component) - kFlow.begin());
 }
 
@@ -51,7 +46,7 @@ std::string component_line(const pico::status_t& now, const std::optional<pico::
     line += format("cpu %.1f %%  ", 100.0 * (now.cpu_s - before->cpu_s) / seconds);
   }
   line += format("p50 %.2f ms  p99 %.2f ms  rejected %lld  %.1f MB", now.p50_us / 1000.0,
-                 now.p99_us / 1000.0, static_cast<long long>(rejected(now)),
+                 now.p99_us / 1000.0, static_cast<long long>(losses_of(now).rejected),
                  static_cast<double>(now.rss_bytes) / 1e6);
   if (now.degraded) line += "  DEGRADED";
   if (!now.note.empty()) line += "  (" + now.note + ")";
