@@ -29,12 +29,16 @@ class Processes:
     def __init__(self, folder):
         self.folder = folder
         self.running = []
+        self.heard = set()  # programs that said something in this run: the file goes on
 
     def said_by(self, program):
         return self.folder / f"{program}.log"
 
     def start(self, command, environment=None, **options):
-        with open(self.said_by(pathlib.Path(command[0]).name), "ab") as said:
+        program = pathlib.Path(command[0]).name
+        mode = "ab" if program in self.heard else "wb"
+        self.heard.add(program)
+        with open(self.said_by(program), mode) as said:
             process = subprocess.Popen(list(map(str, command)), stdout=said, stderr=said,
                                        env={**ENVIRONMENT, **(environment or {})}, **options)
         self.running.append(process)
