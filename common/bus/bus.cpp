@@ -16,6 +16,7 @@ struct Bus::Subscription {
     const auto started = std::chrono::steady_clock::now();
     const std::int64_t sent_before = bus.sent_;
     bus.status_.received(channel);
+    if (bytes.size() > kMaxPayload) return bus.reject(channel, "too large");
     // An exception that leaves a handler makes the next lcm_handle abort the process.
     try {
       if (const auto reason = take(bytes); !reason.empty()) bus.reject(channel, reason);

@@ -35,7 +35,7 @@ class Bus {
   Bus& operator=(const Bus&) = delete;
 
   /// Calls `handler(message, began_anew)` for every good message, in order of arrival. Before
-  /// that: fingerprint, counts and size are checked on the raw bytes, then `validate`, then
+  /// that: size, fingerprint and counts are checked on the raw bytes, then `validate`, then
   /// that time goes forward. `began_anew`: the channel's first message, a new session, or time
   /// that stepped back by more than 2 s. `capacity`: messages that may wait for the handler; a
   /// full queue loses the newest, so choose it for what the channel is.
@@ -109,8 +109,9 @@ void Bus::subscribe(const std::string& channel, int capacity,
         Message message;
         if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
         const Continuity continuity = watch.check(stamp_of(message));
+        status_.watched(channel, watch);
         if (const auto fault = detail::order_fault(continuity); !fault.empty()) return fault;
-        status_.accepted(channel, stamp_of(message), watch);
+        status_.accepted(channel, stamp_of(message));
         handler(message, continuity == Continuity::began_anew);
         return {};
       },

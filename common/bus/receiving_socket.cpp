@@ -21,6 +21,8 @@ constexpr std::uint16_t kDefaultPort = 7667;
 constexpr int kBuffer = 4 * 1024 * 1024;             // [bytes] capped by net.core.rmem_max
 constexpr std::uint32_t kWholeMessage = 0x4C433032;  // "LC02", network order
 constexpr std::uint32_t kMagicAt = 8;                // [bytes] behind the UDP header
+constexpr std::uint32_t kChannelAt = 16;             // [bytes] behind magic and number
+constexpr std::uint32_t kLongestChannel = 63;        // [bytes] without its end
 
 std::string default_url() {
   const char* url = std::getenv("LCM_DEFAULT_URL");
@@ -33,6 +35,26 @@ std::optional<Number> number_in(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+/// "LC02", and the channel's name has an end within the datagram: what is read beyond the datagram
+/// drops it.
+std::vector<sock_filter> whole_messages_only() {
+  constexpr std::uint32_t kAll = 0xFFFFFFFF;
+  const sock_filter keep_out = BPF_STMT(BPF_RET | BPF_K, 0);
+  const sock_filter let_through = BPF_STMT(BPF_RET | BPF_K, kAll);
+  std::vector<sock_filter> program = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kMagicAt),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kWholeMessage, 1, 0),
+      keep_out,
+  };
+  for (std::uint32_t i = 0; i <= kLongestChannel; ++i) {
+    program.push_back(BPF_STMT(BPF_LD | BPF_B | BPF_ABS, kChannelAt + i));
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 0, 1));
+    program.push_back(let_through);
+  }
+  program.push_back(keep_out);
+  return program;
 }
 
 }  // namespace
@@ -58,13 +80,7 @@ ReceivingSockets ReceivingSockets::guard(const std::string& lcm_url) {
 }
 
 void ReceivingSockets::let_only_whole_messages_through() const {
-  constexpr std::uint32_t kAll = 0xFFFFFFFF;
-  std::array<sock_filter, 4> program = {{
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kMagicAt),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kWholeMessage, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, kAll),
-      BPF_STMT(BPF_RET | BPF_K, 0),
-  }};
+  std::vector<sock_filter> program = whole_messages_only();
   const sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
   for (const int descriptor : descriptors_)
     if (setsockopt(descriptor, SOL_SOCKET, SO_ATTACH_FILTER, &filter, sizeof(filter)) != 0)

@@ -1,8 +1,9 @@
 /// @file The socket that LCM receives from, made fit for a bus that nobody guards.
 ///
-/// liblcm 1.3.1 listens on every network, and one fragment whose offset wraps crashes it. All our
-/// messages fit one datagram, so a filter in the kernel lets only whole messages through; and a
-/// larger buffer holds what comes in a burst.
+/// liblcm 1.3.1 listens on every network. One fragment whose offset wraps crashes it, and a message
+/// whose channel's name has no end it takes for one of 4 GB. All our messages fit one datagram, so
+/// a filter in the kernel (S. McCanne and V. Jacobson, "The BSD packet filter", USENIX 1993) lets
+/// only whole messages through; and a larger buffer holds what comes in a burst.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ class ReceivingSockets {
 
   std::size_t size() const { return descriptors_.size(); }
 
-  /// Only datagrams with a whole LCM message ("LC02") come through from now on. Throws
-  /// std::system_error.
+  /// Only datagrams with a whole LCM message ("LC02", and a channel of at most 63 characters) come
+  /// through from now on. Throws std::system_error.
   void let_only_whole_messages_through() const;
 
   /// Asks for so much room [bytes] in each; the kernel may grant less (net.core.rmem_max).

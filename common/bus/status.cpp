@@ -54,12 +54,15 @@ void Status::add_input(const std::string& channel, bool waits) { inputs_[channel
 
 void Status::received(const std::string& channel) { ++inputs_[channel].received; }
 
-void Status::accepted(const std::string& channel, const Stamp& stamp,
-                      const ContinuityWatch& watch) {
+void Status::watched(const std::string& channel, const ContinuityWatch& watch) {
   Input& input = inputs_[channel];
-  input.last_utime = stamp.utime;
   input.missed = watch.missed();
   input.restarts = watch.restarts();
+  input.is_contested = watch.is_contested();
+}
+
+void Status::accepted(const std::string& channel, const Stamp& stamp) {
+  inputs_[channel].last_utime = stamp.utime;
 }
 
 void Status::rejected(const std::string& channel, std::string_view reason) {
@@ -107,8 +110,12 @@ std::string Status::note() const {
   for (const auto& [channel, input] : inputs_)
     if (input.waits && input.received == 0)
       waits += (waits.empty() ? "waiting for " : ", ") + channel;
+  std::string contested;
+  for (const auto& [channel, input] : inputs_)
+    if (input.is_contested)
+      contested += (contested.empty() ? "two sources take turns on " : ", ") + channel;
   std::string text = waits;
-  for (const std::string& part : {degraded_, note_})
+  for (const std::string& part : {contested, degraded_, note_})
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   return text;
 }

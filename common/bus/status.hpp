@@ -31,8 +31,11 @@ class Status {
   /// A message came in, good or bad.
   void received(const std::string& channel);
 
-  /// It is good, and part of the sequence that `watch` watches.
-  void accepted(const std::string& channel, const Stamp& stamp, const ContinuityWatch& watch);
+  /// What `watch` has seen of the channel, the last message included.
+  void watched(const std::string& channel, const ContinuityWatch& watch);
+
+  /// The message is good, and goes on to the component.
+  void accepted(const std::string& channel, const Stamp& stamp);
 
   /// A message came in and was turned down.
   void rejected(const std::string& channel, std::string_view reason);
@@ -63,6 +66,7 @@ class Status {
  private:
   struct Input {
     bool waits = false;
+    bool is_contested = false;
     std::int64_t received = 0;
     std::int64_t rejected = 0;
     std::int64_t missed = 0;

@@ -122,6 +122,28 @@ TEST_F(BusTest, BeginsAnewAfterALargeStepBackAndInANewSession) {
   EXPECT_EQ(status_.message(0, false).inputs[0].restarts, 2);
 }
 
+TEST_F(BusTest, TellsThatTwoSourcesTakeTurns) {
+  listen();
+  for (const std::int64_t session : {1, 2, 1}) send(odometry(100, session, 0));
+  EXPECT_EQ(status_.message(0, false).note, "two sources take turns on PICO_ODOMETRY");
+}
+
+TEST_F(BusTest, CountsWhatNeverCameAlsoWhereALateOneIsTurnedDown) {
+  listen();
+  send(odometry(100, 1, 0));
+  send(odometry(400, 1, 3));
+  send(odometry(200, 1, 1));
+  const pico::status_t status = status_.message(0, false);
+  EXPECT_EQ(status.inputs.at(0).missed, 1);
+  EXPECT_EQ(rejected("time stepped back"), 1);
+}
+
+TEST_F(BusTest, TurnsDownWhatNeedsMoreThanOneDatagram) {
+  listen();
+  send(channel::odometry, std::vector<std::uint8_t>(kMaxPayload + 1));
+  EXPECT_EQ(rejected("too large"), 1);
+}
+
 TEST_F(BusTest, SurvivesAHandlerThatThrows) {
   listen();
   send(odometry(100, 1, 666));

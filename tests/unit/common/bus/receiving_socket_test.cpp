@@ -26,6 +26,11 @@ TEST(BusPort, OfWhatIsNoUdpBusIsNone) {
   EXPECT_FALSE(bus_port("udpm://239.255.76.67:99999"));
 }
 
+const std::string kNumber(4, '\1');
+
+/// A datagram with a message that has no content.
+std::string message(const std::string& channel) { return "LC02" + kNumber + channel + '\0'; }
+
 /// A socket as LCM's, on a port of its own, and what is sent to it within this machine.
 class ReceivingSocketTest : public testing::Test {
  protected:
@@ -76,15 +81,28 @@ TEST_F(ReceivingSocketTest, OnlyWholeMessagesComeThroughAndTheRestIsCounted) {
     send(kept_out);
   EXPECT_EQ(receive(), "");
   EXPECT_EQ(sockets.drops(), 5);
-  send("LC02 a message");
-  EXPECT_EQ(receive(), "LC02 a message");
+  send(message("A_CHANNEL") + "and its content");
+  EXPECT_EQ(receive(), message("A_CHANNEL") + "and its content");
+}
+
+TEST_F(ReceivingSocketTest, AChannelWhoseNameHasNoEndIsKeptOut) {
+  const ReceivingSockets sockets(port());
+  sockets.let_only_whole_messages_through();
+  const std::string longest(63, 'x');
+  send(message(longest));
+  EXPECT_EQ(receive(), message(longest));
+  for (const std::string& name : {std::string(), std::string("PICO_LASER"), longest})
+    send("LC02" + kNumber + name);
+  send(message(longest + "x"));
+  EXPECT_EQ(receive(), "");
+  EXPECT_EQ(sockets.drops(), 4);
 }
 
 TEST_F(ReceivingSocketTest, ALargerBufferHoldsMore) {
   const ReceivingSockets sockets(port());
   const auto held = [&] {
     int count = 0;
-    for (int i = 0; i < 100; ++i) send("LC02" + std::string(1000, 'x'));
+    for (int i = 0; i < 100; ++i) send(message("A_CHANNEL") + std::string(1000, 'x'));
     while (!receive().empty()) ++count;
     return count;
   };
