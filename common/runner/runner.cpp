@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "common/bus/receiving_socket.hpp"
+#include "common/runner/heartbeat.hpp"
 #include "common/runner/memory.hpp"
 #include "common/runner/stop_signal.hpp"
 
@@ -45,10 +46,10 @@ bool handle_one(lcm::LCM& lcm, int timeout_ms) {
   return lcm.handleTimeout(timeout_ms) >= 0 || errno == EINTR;
 }
 
-void drain(lcm::LCM& lcm) {
+void drain(lcm::LCM& lcm, Heartbeat& heartbeat) {
   const std::int64_t give_up = monotonic_now() + kDrainLimit;
-  while (monotonic_now() < give_up && lcm.handleTimeout(kDrainQuiet_ms) > 0) {
-  }
+  while (monotonic_now() < give_up && lcm.handleTimeout(kDrainQuiet_ms) > 0)
+    heartbeat.beat(monotonic_now());
 }
 
 void print_news(const Face& face, Status& status) {
@@ -62,10 +63,13 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const 
     bus.publish_status(wall_now(), last);
   };
   publish_status(false);
+  Heartbeat heartbeat;
+  heartbeat.ready();
   std::int64_t next_status = monotonic_now() + kStatusPeriod;
   while (!stop_requested() && !work.finished()) {
     const std::int64_t next_step = work.step(monotonic_now());
-    const std::int64_t wait = std::min(next_step, next_status) - monotonic_now();
+    const std::int64_t next_beat = heartbeat.beat(monotonic_now());
+    const std::int64_t wait = std::min({next_step, next_status, next_beat}) - monotonic_now();
     const auto wait_ms = static_cast<int>(std::max<std::int64_t>(0, (wait + 999) / 1000));
     if (!handle_one(lcm, wait_ms)) {
       std::cerr << "pico-" << face.name << ": the bus broke while waiting for messages\n";
@@ -77,7 +81,7 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const 
       next_status = std::max(next_status + kStatusPeriod, monotonic_now());
     }
   }
-  drain(lcm);
+  drain(lcm, heartbeat);
   work.finish();
   publish_status(true);
   print_news(face, bus.status());

@@ -95,6 +95,35 @@ TEST_F(LaunchTest, EachKilledProcessIsBackWithinASecondAndNobodyElseStops) {
   EXPECT_EQ(launcher_->stop(), 0) << output();
 }
 
+TEST_F(LaunchTest, OneThatHangsIsStartedAgainAndOneThatPausesIsNot) {
+  const std::int64_t boot = status_.last("scan").boot;
+  const auto stop_for = [&](Seconds time) {
+    const auto pid = pid_of("scan");
+    ASSERT_TRUE(pid) << output();
+    kill(*pid, SIGSTOP);
+    status_.wait_until([] { return false; }, time);
+    kill(*pid, SIGCONT);
+  };
+  stop_for(Seconds(2));
+  EXPECT_TRUE(map_goes_on());
+  EXPECT_EQ(status_.last("scan").boot, boot) << output();
+  stop_for(Seconds(3));
+  EXPECT_TRUE(status_.wait_until([&] { return status_.last("scan").boot != boot; }, Seconds(1)));
+  EXPECT_NE(output().find("scan hangs: no sign of life for"), std::string::npos) << output();
+  EXPECT_TRUE(map_goes_on());
+  EXPECT_EQ(launcher_->stop(), 0) << output();
+}
+
+TEST_F(LaunchTest, ALauncherThatWasStoppedItselfKillsNobody) {
+  launcher_->signal(SIGSTOP);
+  status_.wait_until([] { return false; }, Seconds(4));
+  launcher_->signal(SIGCONT);
+  status_.wait_until([] { return false; }, Seconds(1));
+  EXPECT_EQ(output().find("hangs"), std::string::npos) << output();
+  EXPECT_TRUE(map_goes_on());
+  EXPECT_EQ(launcher_->stop(), 0) << output();
+}
+
 TEST_F(LaunchTest, ARestartedBridgeBeginsANewSessionAndEveryoneStartsFresh) {
   const auto pid = pid_of("bridge");
   ASSERT_TRUE(pid);

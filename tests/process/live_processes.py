@@ -34,12 +34,14 @@ class Processes:
     def said_by(self, program):
         return self.folder / f"{program}.log"
 
-    def start(self, command, environment=None, **options):
+    def start(self, command, environment=None, machine=None, **options):
+        """On another machine (machines.py) where one is given."""
         program = pathlib.Path(command[0]).name
         mode = "ab" if program in self.heard else "wb"
         self.heard.add(program)
         with open(self.said_by(program), mode) as said:
-            process = subprocess.Popen(list(map(str, command)), stdout=said, stderr=said,
+            words = machine.command(command) if machine else list(map(str, command))
+            process = subprocess.Popen(words, stdout=said, stderr=said,
                                        env={**ENVIRONMENT, **(environment or {})}, **options)
         self.running.append(process)
         return process
