@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,8 +39,8 @@ class Bus {
   /// Calls `handler(message, began_anew)` for every good message, in order of arrival. Before
   /// that: size, fingerprint and counts are checked on the raw bytes, then `validate`, then
   /// that time goes forward. `began_anew`: the channel's first message, a new session, or time
-  /// that stepped back by more than 2 s. `capacity`: messages that may wait for the handler; a
-  /// full queue loses the newest, so choose it for what the channel is.
+  /// that stepped back by more than 2 s. `capacity`: good messages that may wait for the handler;
+  /// of more the oldest is turned down, so choose it for what the channel is.
   template <class Message>
   void subscribe(const std::string& channel, int capacity,
                  std::function<void(const Message&, bool began_anew)> handler);
@@ -47,6 +49,30 @@ class Bus {
   template <class Message>
   void subscribe_command(const std::string& channel, int capacity,
                          std::function<void(const Message&)> handler);
+
+  /// From now on good messages wait for handle_next. What is taken from LCM is checked at once, so
+  /// that bad ones, however many, take no good one's place.
+  void let_messages_wait() { lets_wait_ = true; }
+
+  /// Calls the handler of the message that waits longest; false: none waits.
+  bool handle_next();
+
+  bool has_waiting() const { return !waiting_.empty(); }
+
+  /// A message as it came, whoever sent it and whatever it is.
+  struct Anything {
+    const std::string& channel;
+    std::int64_t received_at;  ///< [us] the wall clock's
+    Bytes payload;
+  };
+  /// Gives the reason why it turns it down; empty: it took it.
+  using TakeAnything = std::function<std::string_view(const Anything&)>;
+
+  /// Every message on every channel, for a recorder; STATUS tells what is missing on the channels
+  /// that are ours. None waits: `take` is to be quick.
+  void subscribe_all(TakeAnything take);
+
+  bool takes_all() const { return takes_all_; }
 
   /// Encodes and sends.
   template <class Message>
@@ -69,11 +95,30 @@ class Bus {
 
  private:
   struct Subscription;
+  using TakeBuffer = std::function<void(const lcm_recv_buf_t& buffer, const char* channel)>;
+
+  /// A good message, and what becomes of it.
+  struct Waiting {
+    std::string channel;
+    std::function<void(bool began_anew)> handle;
+    bool began_anew;
+  };
+
+  void subscribe_buffers(const std::string& channel, TakeBuffer take);
+
+  /// Counts the message, and what `take` says of it, among those of `channel`.
+  void receive(const std::string& channel, const lcm_recv_buf_t& buffer,
+               const std::function<std::string_view(Bytes)>& take);
 
   /// `take` gives the reason why it turns the bytes down; empty: it took them. `waits`: STATUS
   /// says so while nothing has come.
-  void subscribe_bytes(const std::string& channel, int capacity,
-                       std::function<std::string_view(Bytes)> take, bool waits);
+  void subscribe_bytes(const std::string& channel, std::function<std::string_view(Bytes)> take,
+                       bool waits);
+
+  /// Handles it now, or when its turn comes.
+  void hand_on(Waiting message, int capacity);
+  void make_room(Waiting& message);
+  void handle(const Waiting& message);
   void send(const std::string& channel, Bytes payload, const Stamp& stamp);
 
   lcm::LCM& input_;
@@ -81,6 +126,10 @@ class Bus {
   Status& status_;
   std::int64_t sent_ = 0;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  bool takes_all_ = false;
+  bool lets_wait_ = false;
+  std::deque<Waiting> waiting_;            ///< in order of arrival
+  std::map<std::string, int> waiting_of_;  ///< how many, by channel
 };
 
 namespace detail {
@@ -103,8 +152,8 @@ template <class Message>
 void Bus::subscribe(const std::string& channel, int capacity,
                     std::function<void(const Message&, bool began_anew)> handler) {
   subscribe_bytes(
-      channel, capacity,
-      [this, channel, handler = std::move(handler),
+      channel,
+      [this, channel, capacity, handler = std::make_shared<decltype(handler)>(std::move(handler)),
        watch = ContinuityWatch()](Bytes bytes) mutable -> std::string_view {
         Message message;
         if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
@@ -112,7 +161,12 @@ void Bus::subscribe(const std::string& channel, int capacity,
         status_.watched(channel, watch);
         if (const auto fault = detail::order_fault(continuity); !fault.empty()) return fault;
         status_.accepted(channel, stamp_of(message));
-        handler(message, continuity == Continuity::began_anew);
+        hand_on({channel,
+                 [handler, message = std::move(message)](bool began_anew) {
+                   (*handler)(message, began_anew);
+                 },
+                 continuity == Continuity::began_anew},
+                capacity);
         return {};
       },
       true);
@@ -122,11 +176,14 @@ template <class Message>
 void Bus::subscribe_command(const std::string& channel, int capacity,
                             std::function<void(const Message&)> handler) {
   subscribe_bytes(
-      channel, capacity,
-      [handler = std::move(handler)](Bytes bytes) -> std::string_view {
+      channel,
+      [this, channel, capacity, handler = std::make_shared<decltype(handler)>(std::move(handler))](
+          Bytes bytes) -> std::string_view {
         Message message;
         if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
-        handler(message);
+        hand_on({channel, [handler, message = std::move(message)](bool) { (*handler)(message); },
+                 false},
+                capacity);
         return {};
       },
       false);

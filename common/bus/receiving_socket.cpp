@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kScheme = "udpm://";
 constexpr std::uint16_t kDefaultPort = 7667;
-constexpr int kBuffer = 4 * 1024 * 1024;             // [bytes] capped by net.core.rmem_max
+constexpr int kBuffer = 4 * 1024 * 1024;             // [bytes] seconds of all channels
 constexpr std::uint32_t kWholeMessage = 0x4C433032;  // "LC02", network order
 constexpr std::uint32_t kMagicAt = 8;                // [bytes] behind the UDP header
 constexpr std::uint32_t kChannelAt = 16;             // [bytes] behind magic and number
@@ -90,7 +90,8 @@ void ReceivingSockets::let_only_whole_messages_through() const {
 
 void ReceivingSockets::grow_buffers(int bytes) const {
   for (const int descriptor : descriptors_)
-    setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
+    if (setsockopt(descriptor, SOL_SOCKET, SO_RCVBUFFORCE, &bytes, sizeof(bytes)) != 0)
+      setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
 }
 
 std::int64_t ReceivingSockets::drops() const {

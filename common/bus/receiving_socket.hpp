@@ -34,7 +34,8 @@ class ReceivingSockets {
   /// through from now on. Throws std::system_error.
   void let_only_whole_messages_through() const;
 
-  /// Asks for so much room [bytes] in each; the kernel may grant less (net.core.rmem_max).
+  /// Asks for so much room [bytes] in each; to who is not root the kernel may grant less
+  /// (net.core.rmem_max).
   void grow_buffers(int bytes) const;
 
   /// Datagrams that the kernel dropped since the sockets were opened: kept out by the filter, or no

@@ -36,11 +36,38 @@ bool is_printable(std::span<const std::uint8_t> text) {
   return std::ranges::all_of(text, [](std::uint8_t c) { return c >= 0x20 && c < 0x7F; });
 }
 
+std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 [[noreturn]] void fail(const std::string& what) {
   throw LogError(what + ": " + std::generic_category().message(errno));
 }
 
+void cut_off(const std::filesystem::path& file, std::int64_t size) {
+  std::error_code error;
+  std::filesystem::resize_file(file, static_cast<std::uintmax_t>(size), error);
+  if (error) throw LogError("cannot write " + file.string() + ": " + error.message());
+}
+
+/// [bytes] Looks at the end of the file only. Where that holds no event nothing is cut off.
+std::int64_t end_of_whole_events(const std::filesystem::path& file) {
+  constexpr std::int64_t kEnd = 1024 * 1024;
+  LogReader reader(file);
+  reader.skip_to(std::max<std::int64_t>(0, reader.size() - kEnd));
+  LogEvent event;
+  bool has_event = false;
+  while (reader.next(event)) has_event = true;
+  if (!has_event || reader.damage().empty()) return reader.size();
+  const LogDamage& last = reader.damage().back();
+  return last.offset + last.size == reader.size() ? last.offset : reader.size();
+}
+
 }  // namespace
+
+bool is_channel_name(std::string_view name) {
+  return !name.empty() && name.size() <= kMaxChannelLength && is_printable(bytes_of(name));
+}
 
 bool is_event_log(const std::filesystem::path& file) {
   const detail::File opened(std::fopen(file.c_str(), "rb"));
@@ -209,8 +236,12 @@ bool LogReader::next(LogEvent& event) {
   return false;
 }
 
-LogWriter::LogWriter(const std::filesystem::path& file)
-    : name_(file.string()), file_(std::fopen(file.c_str(), "wb")) {
+LogWriter::LogWriter(const std::filesystem::path& file, Mode mode)
+    : path_(file), name_(file.string()) {
+  const bool goes_on = mode == Mode::append && std::filesystem::exists(file);
+  if (goes_on) size_ = flushed_size_ = end_of_whole_events(file);
+  if (goes_on) cut_off(file, size_);
+  file_.reset(std::fopen(file.c_str(), goes_on ? "ab" : "wb"));
   if (!file_) fail("cannot write " + name_);
   std::setvbuf(file_.get(), nullptr, _IOFBF, kReadAhead);
 }
@@ -218,8 +249,7 @@ LogWriter::LogWriter(const std::filesystem::path& file)
 void LogWriter::write(std::string_view channel, std::int64_t timestamp, const void* data,
                       std::size_t size) {
   if (!file_) throw LogError("cannot write " + name_ + ": it is closed");
-  const std::span name_bytes(reinterpret_cast<const std::uint8_t*>(channel.data()), channel.size());
-  if (channel.empty() || channel.size() > kMaxChannelLength || !is_printable(name_bytes))
+  if (!is_channel_name(channel))
     throw LogError("cannot write " + name_ + ": \"" + std::string(channel) +
                    "\" is no name for a channel");
   if (size > kMaxEventData)
@@ -236,6 +266,20 @@ void LogWriter::write(std::string_view channel, std::int64_t timestamp, const vo
                     (size == 0 || std::fwrite(data, size, 1, file_.get()) == 1);
   if (!good) fail("cannot write " + name_);
   ++written_;
+  size_ += static_cast<std::int64_t>(header.size() + channel.size() + size);
+}
+
+void LogWriter::flush() {
+  if (!file_) return;
+  if (std::fflush(file_.get()) != 0) fail("cannot write " + name_);
+  flushed_ = written_;
+  flushed_size_ = size_;
+}
+
+std::int64_t LogWriter::give_up() {
+  file_.reset();
+  cut_off(path_, flushed_size_);
+  return written_ - flushed_;
 }
 
 void LogWriter::close() {

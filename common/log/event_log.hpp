@@ -46,6 +46,9 @@ class LogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// 1 to kMaxChannelLength printable characters: what a reader takes for a channel.
+bool is_channel_name(std::string_view name);
+
 /// Whether the file begins as an event log does, whatever its name; false where it cannot be read.
 bool is_event_log(const std::filesystem::path& file);
 
@@ -76,6 +79,9 @@ class LogReader {
   /// The same into an event whose memory is used again; false at the end, where the event is
   /// left as it was.
   bool next(LogEvent& event);
+
+  /// Goes on at the first event from there on, wherever the offset [bytes] lies.
+  void skip_to(std::int64_t offset) { offset_ = offset; }
 
   /// What was passed over so far, the rest of a truncated last event included.
   const std::vector<LogDamage>& damage() const { return damage_; }
@@ -117,21 +123,40 @@ class LogReader {
 
 class LogWriter {
  public:
-  /// Replaces a file of that name. Throws LogError.
-  explicit LogWriter(const std::filesystem::path& file);
+  enum class Mode {
+    replace,  ///< a file of that name
+    append    ///< behind its last whole event: what a writer that was killed left behind is cut off
+  };
+
+  /// Throws LogError.
+  explicit LogWriter(const std::filesystem::path& file, Mode mode = Mode::replace);
 
   /// Keeps the stamp it is given; the event's number is counted here. Throws LogError (disk
   /// full, or a channel or data that no reader would take).
   void write(std::string_view channel, std::int64_t timestamp, const void* data, std::size_t size);
 
+  /// Hands what is buffered to the system: it survives the death of this process. Throws LogError.
+  void flush();
+
   /// Writes out what is buffered; nothing can be written after it. Throws LogError. The
   /// destructor does it without a word.
   void close();
 
+  /// After a LogError: cuts off what did not go out whole, and closes. Gives how many events are
+  /// lost: those since the last flush.
+  std::int64_t give_up();
+
+  std::int64_t written() const { return written_; }  ///< events
+  std::int64_t size() const { return size_; }        ///< [bytes] of the file, with what is buffered
+
  private:
+  std::filesystem::path path_;
   std::string name_;
   detail::File file_;
   std::int64_t written_ = 0;
+  std::int64_t size_ = 0;
+  std::int64_t flushed_ = 0;  ///< events
+  std::int64_t flushed_size_ = 0;
 };
 
 }  // namespace perceptor

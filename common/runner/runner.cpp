@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::int64_t kStatusPeriod = kMicrosecondsPerSecond;
 constexpr int kDrainQuiet_ms = 150;  // nothing for this long: the input is drained
+constexpr int kAtOnce = 1000;        // messages that are checked before one is handled
 constexpr std::int64_t kDrainLimit = 5 * kMicrosecondsPerSecond;
 
 template <class Clock>
@@ -46,10 +47,19 @@ bool handle_one(lcm::LCM& lcm, int timeout_ms) {
   return lcm.handleTimeout(timeout_ms) >= 0 || errno == EINTR;
 }
 
-void drain(lcm::LCM& lcm, Heartbeat& heartbeat) {
+/// Checks what has come meanwhile, though not more than a little at a time.
+void check_all(lcm::LCM& lcm) {
+  for (int i = 0; i < kAtOnce && lcm.handleTimeout(0) > 0;) ++i;
+}
+
+void drain(lcm::LCM& lcm, Bus& bus, Heartbeat& heartbeat) {
   const std::int64_t give_up = monotonic_now() + kDrainLimit;
-  while (monotonic_now() < give_up && lcm.handleTimeout(kDrainQuiet_ms) > 0)
+  while (monotonic_now() < give_up &&
+         (lcm.handleTimeout(bus.has_waiting() ? 0 : kDrainQuiet_ms) > 0 || bus.has_waiting())) {
+    check_all(lcm);
+    bus.handle_next();
     heartbeat.beat(monotonic_now());
+  }
 }
 
 void print_news(const Face& face, Status& status) {
@@ -70,20 +80,24 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const 
     const std::int64_t next_step = work.step(monotonic_now());
     const std::int64_t next_beat = heartbeat.beat(monotonic_now());
     const std::int64_t wait = std::min({next_step, next_status, next_beat}) - monotonic_now();
-    const auto wait_ms = static_cast<int>(std::max<std::int64_t>(0, (wait + 999) / 1000));
-    if (!handle_one(lcm, wait_ms)) {
+    const std::int64_t wait_ms =
+        bus.has_waiting() ? 0 : std::max<std::int64_t>(0, (wait + 999) / 1000);
+    if (!handle_one(lcm, static_cast<int>(wait_ms))) {
       std::cerr << "pico-" << face.name << ": the bus broke while waiting for messages\n";
       return kExitFailed;
     }
+    check_all(lcm);
+    bus.handle_next();
     if (monotonic_now() >= next_status) {
       publish_status(false);
       print_news(face, bus.status());
       next_status = std::max(next_status + kStatusPeriod, monotonic_now());
     }
   }
-  drain(lcm, heartbeat);
+  drain(lcm, bus, heartbeat);
   work.finish();
   publish_status(true);
+  if (bus.takes_all()) drain(lcm, bus, heartbeat);  // its own last word too
   print_news(face, bus.status());
   return kExitOk;
 }
@@ -107,6 +121,7 @@ ExitCode run(const Face& face, const Options& options, const std::function<Work(
   }
   Status status{std::string(face.name), wall_now()};
   Bus bus(lcm, lcm, status);
+  bus.let_messages_wait();
   try {
     const Work work = start(bus);
     BusGuard guard(options.lcm_url);

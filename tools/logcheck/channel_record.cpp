@@ -1,6 +1,7 @@
 #include "tools/logcheck/channel_record.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "common/bus/channels.hpp"
@@ -11,6 +12,9 @@ namespace {
 
 /// Sums of hostile sequence numbers stop here instead of overflowing.
 constexpr std::int64_t kMostMissing = std::int64_t{1} << 61U;
+
+/// A datagram that the network delivers twice comes again within so many messages of its channel.
+constexpr std::size_t kRecent = 64;
 
 std::int64_t total(const std::vector<SeqRange>& ranges) {
   std::int64_t sum = 0;
@@ -84,7 +88,7 @@ void check_status(const ChannelRecord& record, ChannelReport& report) {
 void check_data(const ChannelRecord& record, bool is_source, ChannelReport& report) {
   if (is_source) check_sequence(record, false, report);
   const std::int64_t missing_by_seq = report.missing;
-  ClaimedCompleteness claimed = record.publishers.check(record.count);
+  ClaimedCompleteness claimed = record.publishers.check(record.sent());
   report.losses = std::move(claimed.losses);
   // Both ways of counting see the same loss.
   if (claimed.missing > missing_by_seq) {
@@ -97,6 +101,17 @@ void check_data(const ChannelRecord& record, bool is_source, ChannelReport& repo
 }
 
 }  // namespace
+
+void ChannelRecord::count_message(const LogEvent& event) {
+  if (count == 0) first_stamp = event.timestamp;
+  last_stamp = event.timestamp;
+  ++count;
+  const std::size_t hash = std::hash<std::string_view>()(
+      {reinterpret_cast<const char*>(event.data.data()), event.data.size()});
+  if (std::ranges::find(recent, hash) != recent.end()) ++delivered_twice;
+  recent.push_back(hash);
+  if (recent.size() > kRecent) recent.pop_front();
+}
 
 SessionRecord& ChannelRecord::add(std::int64_t session, std::int64_t seq) {
   const auto [known, is_new] = session_index.try_emplace(session, sessions.size());

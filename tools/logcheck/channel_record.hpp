@@ -1,12 +1,15 @@
 /// @file What was seen on one channel of a log, and what follows from it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/log/event_log.hpp"
 #include "tools/logcheck/publisher_claims.hpp"
 #include "tools/logcheck/report.hpp"
 #include "tools/logcheck/seq_set.hpp"
@@ -24,12 +27,20 @@ struct SessionRecord {
 
 struct ChannelRecord {
   std::int64_t count = 0;
-  std::int64_t first_stamp = 0;  ///< [us]
-  std::int64_t last_stamp = 0;   ///< [us]
+  std::int64_t delivered_twice = 0;  ///< of those: the network may do that to a datagram
+  std::deque<std::size_t> recent;    ///< hashes of the last payloads
+  std::int64_t first_stamp = 0;      ///< [us]
+  std::int64_t last_stamp = 0;       ///< [us]
   std::map<std::string, std::int64_t> undecodable;
   std::vector<SessionRecord> sessions;                ///< in order of appearance
   std::map<std::int64_t, std::size_t> session_index;  ///< session -> index into sessions
   PublisherClaims publishers;
+
+  /// Counts a message, whatever it is.
+  void count_message(const LogEvent& event);
+
+  /// As their publisher counts them.
+  std::int64_t sent() const { return count - delivered_twice; }
 
   /// Adds a message that could be decoded; gives its session.
   SessionRecord& add(std::int64_t session, std::int64_t seq);

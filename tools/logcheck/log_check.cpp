@@ -26,9 +26,7 @@ bool is_data_of_ours(std::string_view channel) {
 void LogCheck::add(const LogEvent& event) {
   watch_stamps(event);
   ChannelRecord& channel = channels_[event.channel];
-  if (channel.count == 0) channel.first_stamp = event.timestamp;
-  channel.last_stamp = event.timestamp;
-  ++channel.count;
+  channel.count_message(event);
   const lcm_type_info_t* type = channel::type_on(event.channel);
   if (type == nullptr) return;
   std::string_view fault = messages::find_fault(type, event.data);
@@ -75,7 +73,7 @@ void LogCheck::add_status(ChannelRecord& channel, const LogEvent& event) {
   const auto [known, is_first_status] = boots_.try_emplace(boot);
   if (is_first_status)
     for (const auto& [name, record] : channels_)
-      if (is_data_of_ours(name)) known->second[name] = record.count;
+      if (is_data_of_ours(name)) known->second[name] = record.sent();
   for (const pico::status_output_t& output : status.outputs) {
     // Announced, and nothing sent: another may be the publisher.
     if (output.published == 0 || !is_data_of_ours(output.channel)) continue;
@@ -84,7 +82,7 @@ void LogCheck::add_status(ChannelRecord& channel, const LogEvent& event) {
     claim.component = status.component;
     claim.boot = status.boot;
     claim.published_first = claim.published_last = output.published;
-    claim.in_log_first = claim.in_log_last = out.count;
+    claim.in_log_first = claim.in_log_last = out.sent();
     claim.session = output.session;
     claim.last_seq = output.last_seq;
     claim.stamp = event.timestamp;

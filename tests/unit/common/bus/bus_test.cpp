@@ -144,6 +144,59 @@ TEST_F(BusTest, TurnsDownWhatNeedsMoreThanOneDatagram) {
   EXPECT_EQ(rejected("too large"), 1);
 }
 
+/// As in a process: what has come is checked at once, and handled one by one.
+class WaitingMessagesTest : public BusTest {
+ protected:
+  WaitingMessagesTest() { bus_.let_messages_wait(); }
+
+  void handle_all() {
+    while (bus_.handle_next()) {
+    }
+  }
+};
+
+TEST_F(WaitingMessagesTest, AreCheckedAtOnceAndHandledInOrderOfArrival) {
+  std::vector<std::string> order;
+  for (const char* name : {channel::odometry, channel::laser})
+    bus_.subscribe_command<pico::odometry_t>(
+        name, 10, [&order, name](const pico::odometry_t&) { order.emplace_back(name); });
+  send(channel::odometry, messages::encode(odometry(1)));
+  send(channel::laser, messages::encode(odometry(2)));
+  send(channel::odometry, {1, 2, 3});
+  send(channel::odometry, messages::encode(odometry(3)));
+  EXPECT_TRUE(order.empty());
+  EXPECT_TRUE(bus_.has_waiting());
+  EXPECT_EQ(status_.message(0, false).inputs.at(1).rejected, 1);
+  handle_all();
+  EXPECT_EQ(order,
+            (std::vector<std::string>{channel::odometry, channel::laser, channel::odometry}));
+  EXPECT_FALSE(bus_.has_waiting());
+}
+
+TEST_F(WaitingMessagesTest, OfTooManyTheOldestIsTurnedDownAndCounted) {
+  listen();  // for ten
+  for (int i = 0; i < 13; ++i) {
+    send(odometry(100 + i, 1, i));
+    send(channel::odometry, {1, 2, 3});
+  }
+  handle_all();
+  ASSERT_EQ(taken_.size(), 10U);
+  EXPECT_EQ(taken_.front(), 103);
+  EXPECT_EQ(taken_.back(), 112);
+  EXPECT_EQ(anew_, 1) << "the first that is left tells that the channel began anew";
+  EXPECT_EQ(rejected("too slow for all that comes"), 3);
+  EXPECT_EQ(status_.message(0, false).inputs.at(0).missed, 0);
+}
+
+TEST_F(WaitingMessagesTest, SurviveAHandlerThatThrows) {
+  listen();
+  send(odometry(100, 1, 666));
+  send(odometry(200, 1, 667));
+  handle_all();
+  EXPECT_EQ(taken_, std::vector<std::int64_t>{200});
+  EXPECT_EQ(rejected("failed while it was processed"), 1);
+}
+
 TEST_F(BusTest, SurvivesAHandlerThatThrows) {
   listen();
   send(odometry(100, 1, 666));

@@ -310,6 +310,43 @@ TEST_F(EventLog, AFullDiskIsAnError) {
   EXPECT_THROW(unbuffered.write("C", 0, large.data(), large.size()), LogError);
 }
 
+TEST_F(EventLog, GoesOnBehindTheLastWholeEvent) {
+  const std::string whole = event("A", "first") + event("A", "second");
+  const std::string cut_short = event("A", "a writer that was killed");
+  for (const std::string& rest : {std::string(), cut_short.substr(0, 2), cut_short.substr(0, 40)}) {
+    write(whole + rest);
+    LogWriter writer(file(), LogWriter::Mode::append);
+    writer.write("A", 0, "third", 5);
+    writer.close();
+    EXPECT_EQ(bytes(), whole + event("A", "third"));
+  }
+}
+
+TEST_F(EventLog, GoesOnInALargeFileAndInOneThatIsNotThere) {
+  {
+    LogWriter writer(file(), LogWriter::Mode::append);
+    const std::string data(50'000, 'x');
+    for (int i = 0; i < 100; ++i) writer.write("A", i, data.data(), data.size());
+  }
+  std::filesystem::resize_file(file(), std::filesystem::file_size(file()) - 1);
+  LogWriter(file(), LogWriter::Mode::append).write("A", 0, "the last", 8);
+  LogReader reader(file());
+  const std::vector<std::string> read = payloads(reader);
+  EXPECT_EQ(read.size(), 100U);
+  EXPECT_EQ(read.back(), "the last");
+  EXPECT_THAT(reader.damage(), IsEmpty());
+}
+
+TEST_F(EventLog, GivesUpWhatDidNotGoOutWhole) {
+  LogWriter writer(file());
+  writer.write("A", 0, "kept", 4);
+  writer.flush();
+  writer.write("A", 0, "lost", 4);
+  writer.write("A", 0, "lost", 4);
+  EXPECT_EQ(writer.give_up(), 2);
+  EXPECT_EQ(bytes(), event("A", "kept"));
+}
+
 TEST_F(EventLog, IsKnownByItsFirstBytes) {
   write(event("A", "data"));
   EXPECT_TRUE(is_event_log(file()));

@@ -259,6 +259,17 @@ TEST_F(Logcheck, RepeatedMessagesAreCounted) {
   EXPECT_EQ(channel("PICO_LASER").verdict, Verdict::complete);
 }
 
+TEST_F(Logcheck, WhatTheNetworkDeliversTwiceDoesNotStandForWhatIsMissing) {
+  Publisher locate(log_, "locate", 1);
+  locate.status();
+  locate.position(10, 0);
+  locate.position(10, 1);
+  log_.push_back(LogEvent(log_.back()));
+  locate.position(10, 2, false);
+  locate.status(true);
+  EXPECT_EQ(channel("POSITION").missing, 1);
+}
+
 TEST_F(Logcheck, AMessageThatCannotBeDecodedIsDamage) {
   Publisher bridge(log_, "bridge", 1);
   bridge.status();
