@@ -36,4 +36,7 @@ Command add_worlds_command(CLI::App& app);
 /// Scores localize in known buildings, over drawn trials.
 Command add_localize_command(CLI::App& app);
 
+/// Hours of simulated driving: memory, times, losses.
+Command add_soak_command(CLI::App& app);
+
 }  // namespace perceptor

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "common/runner/runner.hpp"
-#include "components/bridge/bridge_config.hpp"
 #include "components/bridge/world_file.hpp"
 #include "tools/eval/command.hpp"
 #include "tools/eval/localize/drive.hpp"
@@ -20,6 +19,7 @@
 #include "tools/eval/localize/protocol_report.hpp"
 #include "tools/eval/localize/trial.hpp"
 #include "tools/eval/random_world.hpp"
+#include "tools/eval/robot_file.hpp"
 #include "tools/eval/world_writer.hpp"
 #include "tools/progress.hpp"
 #include "tools/temporary_folder.hpp"
@@ -41,13 +41,6 @@ struct LocalizeOptions {
   fs::path json;
   fs::path log;
 };
-
-Robot read_robot(const fs::path& config_dir) {
-  BridgeConfig bridge;
-  config::load({config_dir / "bridge.json", config_dir / "robot.json", {}},
-               [&](config::Fields& fields) { describe(fields, bridge); });
-  return bridge.robot;
-}
 
 /// Those named, and some that are made here, in `folder`.
 std::vector<Site> make_sites(const LocalizeOptions& options, const fs::path& folder) {

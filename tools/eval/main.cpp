@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
       perceptor::add_run_command(app),        perceptor::add_explain_command(app),
       perceptor::add_trajectory_command(app), perceptor::add_scan_command(app),
       perceptor::add_rooms_command(app),      perceptor::add_worlds_command(app),
-      perceptor::add_map_command(app),        perceptor::add_localize_command(app)};
+      perceptor::add_map_command(app),        perceptor::add_localize_command(app),
+      perceptor::add_soak_command(app)};
   app.footer(
       "Examples:\n"
       "  pico-eval run build/run/last.lcmlog\n"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
       "  pico-eval worlds out --worlds 20 --seed 1\n"
       "  pico-eval map out/worlds/*.lcmlog\n"
       "  pico-eval localize config/maps/hospital.json\n"
+      "  pico-eval soak --hours 24\n"
       "  pico-eval scan --help");
   return perceptor::run_tool(app, argc, argv, [&] {
     int code = perceptor::kExitOk;
