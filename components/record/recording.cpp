@@ -26,7 +26,7 @@ void Recording::flush() {
     if (!writer_) writer_.emplace(file_, LogWriter::Mode::append);
     writer_->flush();
     size_ = writer_->size();
-    trouble_.clear();
+    if (writer_->written() > 0) trouble_.clear();  // that it could be opened proves nothing
   } catch (const LogError& error) {
     stop(error);
   }

@@ -1,0 +1,117 @@
+/// The recorder lives through a full disk and its own death, and says what that cost.
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+#include "common/log/event_log.hpp"
+#include "tests/process/harness.hpp"
+
+namespace perceptor::test {
+namespace {
+
+constexpr const char* kChannel = "SOMEBODY_ELSES";
+
+class RecordTest : public testing::Test {
+ protected:
+  std::vector<std::string> command(const std::vector<std::string>& before = {}) const {
+    std::vector<std::string> words = before;
+    for (const std::string& word :
+         {program("pico-record").string(), std::string("--file"), log_.string(),
+          std::string("--existing"), std::string("append")})
+      words.push_back(word);
+    return words;
+  }
+
+  /// A message in 5 ms, as a busy channel.
+  void send(int messages) {
+    const std::vector<std::uint8_t> payload(1000, 7);
+    for (int i = 0; i < messages; ++i) {
+      status_.lcm().publish(kChannel, payload.data(), static_cast<unsigned>(payload.size()));
+      status_.lcm().handleTimeout(5);
+    }
+    sent_ += messages;
+  }
+
+  bool has_seen_all() {
+    return status_.wait_until(
+        [&] { return received(status_.last("record"), "other channels") == sent_; });
+  }
+
+  std::int64_t recorded() const {
+    LogReader reader(log_);
+    std::int64_t messages = 0;
+    for (LogEvent event; reader.next(event);) messages += event.channel == kChannel ? 1 : 0;
+    EXPECT_TRUE(reader.damage().empty());
+    return messages;
+  }
+
+  bool says(const std::string& text) {
+    return status_.last("record").note.find(text) != std::string::npos;
+  }
+
+  std::int64_t lost() { return rejected(status_.last("record"), "record", "could not be written"); }
+
+  ScratchFolder scratch_;
+  std::filesystem::path log_ = scratch_ / "drive.lcmlog";
+  StatusListener status_;
+  std::int64_t sent_ = 0;
+};
+
+TEST_F(RecordTest, AFullDiskCostsWholeMessagesIsToldAndIsNotTheEnd) {
+  // Its files may grow to 100 kB: to who writes, that is a full disk.
+  Process record(command({"prlimit", "--fsize=100000:unlimited"}));
+  ASSERT_TRUE(status_.wait_for({"record"}));
+  send(300);
+  EXPECT_TRUE(status_.wait_until([&] { return lost() > 0; }, Seconds(2)));
+  EXPECT_TRUE(says("not recording: cannot write")) << status_.last("record").note;
+  EXPECT_TRUE(status_.last("record").degraded);
+  ASSERT_TRUE(has_seen_all());
+
+  ASSERT_EQ(run({"prlimit", "--pid", std::to_string(record.pid()), "--fsize=unlimited"}).exit_code,
+            0);
+  EXPECT_TRUE(status_.wait_until(
+      [&] { return status_.last("record").note.find("not recording") == std::string::npos; }));
+  send(50);
+  EXPECT_TRUE(has_seen_all());
+  EXPECT_EQ(record.stop(), 0);
+  EXPECT_GE(recorded(), 50);
+  // STATUS_RECORD itself is recorded too, and lost at times: not counted here.
+  EXPECT_LE(recorded() + lost() - sent_, 10);
+  EXPECT_GE(recorded() + lost(), sent_);
+}
+
+TEST_F(RecordTest, OneThatIsKilledGoesOnBehindTheLastWholeMessage) {
+  {
+    const Process record(command());
+    ASSERT_TRUE(status_.wait_for({"record"}));
+    send(100);
+    ASSERT_TRUE(has_seen_all());
+    status_.wait_until([] { return false; }, Seconds(0.3));
+    record.signal(SIGKILL);
+  }
+  const std::int64_t boot = status_.last("record").boot;
+  Process record(command());
+  ASSERT_TRUE(status_.wait_until([&] { return status_.last("record").boot != boot; }));
+  send(100);
+  EXPECT_EQ(record.stop(), 0);
+  EXPECT_EQ(recorded(), 200);
+}
+
+TEST_F(RecordTest, ItsOwnLastWordIsInTheRecording) {
+  Process record(command());
+  ASSERT_TRUE(status_.wait_for({"record"}));
+  EXPECT_EQ(record.stop(), 0);
+  const Finished check = run({program("pico-logcheck"), log_});
+  EXPECT_EQ(check.exit_code, 0) << check.output;
+}
+
+TEST_F(RecordTest, DoesNotBeginOnADiskWithTooLittleRoom) {
+  std::vector<std::string> words = command();
+  words.insert(words.end(), {"--set", "min_free=1e9"});
+  const Finished refused = run(words, Seconds(5));
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.output.find("MB of its disk are free"), std::string::npos) << refused.output;
+}
+
+}  // namespace
+}  // namespace perceptor::test
