@@ -164,17 +164,4 @@ void Bus::count(std::string_view channel, std::string_view reason, std::int64_t 
   status_.counted(channel, reason, times);
 }
 
-std::string_view detail::order_fault(Continuity continuity) {
-  switch (continuity) {
-    case Continuity::stepped_back:
-      return "time stepped back";
-    case Continuity::repeated:
-      return "time stood still";
-    case Continuity::continues:
-    case Continuity::began_anew:
-      break;
-  }
-  return {};
-}
-
 }  // namespace perceptor

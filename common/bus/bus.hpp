@@ -143,9 +143,6 @@ std::string_view decode(Bus::Bytes bytes, Message& message) {
   return messages::validate(message);
 }
 
-/// Empty where the message goes on.
-std::string_view order_fault(Continuity continuity);
-
 }  // namespace detail
 
 template <class Message>
@@ -159,7 +156,7 @@ void Bus::subscribe(const std::string& channel, int capacity,
         if (const auto fault = detail::decode(bytes, message); !fault.empty()) return fault;
         const Continuity continuity = watch.check(stamp_of(message));
         status_.watched(channel, watch);
-        if (const auto fault = detail::order_fault(continuity); !fault.empty()) return fault;
+        if (const auto fault = order_fault(continuity); !fault.empty()) return fault;
         status_.accepted(channel, stamp_of(message));
         hand_on({channel,
                  [handler, message = std::move(message)](bool began_anew) {

@@ -49,4 +49,17 @@ void ContinuityWatch::begin(const Stamp& stamp) {
   last_ = stamp;
 }
 
+std::string_view order_fault(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::stepped_back:
+      return "time stepped back";
+    case Continuity::repeated:
+      return "time stood still";
+    case Continuity::continues:
+    case Continuity::began_anew:
+      break;
+  }
+  return {};
+}
+
 }  // namespace perceptor

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "common/time/stamp.hpp"
 
@@ -14,6 +15,9 @@ enum class Continuity {
   stepped_back,  ///< a smaller step back: to be dropped
   repeated,      ///< the utime of the message before: to be dropped
 };
+
+/// Why a message is dropped, as a fixed text that is counted; empty: it is not.
+std::string_view order_fault(Continuity continuity);
 
 /// Which sequence numbers of a session came. What comes late, or twice, is told from what never
 /// came by a window over the last 64 (as against replay in IPsec: RFC 4303, section 3.4.3).

@@ -59,7 +59,7 @@ void LogExplainer::take_position(const LogEvent& event) {
     return;
   }
   const Continuity continuity = position_watch_.check(stamp_of(position));
-  if (!detail::order_fault(continuity).empty()) return;
+  if (!order_fault(continuity).empty()) return;
   positions_.add(stamp_of(position), continuity == Continuity::began_anew, position.zero_utime,
                  to_model(position.robot_in_zero));
 }
