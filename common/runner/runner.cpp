@@ -94,6 +94,7 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const 
       next_status = std::max(next_status + kStatusPeriod, monotonic_now());
     }
   }
+  work.stop();
   drain(lcm, bus, heartbeat);
   work.finish();
   publish_status(true);

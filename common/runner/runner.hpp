@@ -8,6 +8,8 @@
 /// and, where it is a source that works by itself, not only when a message comes,
 ///   std::int64_t step(std::int64_t now);    // [us], monotonic; gives when to be called next
 ///   bool finished() const;                  // nothing more will come
+/// and, where something outside must not go on,
+///   void stop();                            // at once when it is asked to end
 /// and, where it has to account for something before its last STATUS,
 ///   void finish();                          // nothing more will be handled
 /// It may add command-line options that stand for a configuration key:
@@ -59,6 +61,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const F
 struct Work {
   std::function<std::int64_t(std::int64_t now)> step;
   std::function<bool()> finished;
+  std::function<void()> stop;
   std::function<void()> finish;
 };
 
@@ -92,11 +95,12 @@ int run_component(int argc, char** argv) {
   return run(face, chosen, [&config](Bus& bus) -> Work {
     auto component = std::make_shared<Component>(config, bus);
     Work work = {[](std::int64_t now) { return now + 3600 * kMicrosecondsPerSecond; },
-                 [] { return false; }, [component] {}};
+                 [] { return false; }, [component] {}, [component] {}};
     if constexpr (requires { component->step(std::int64_t{}); }) {
       work.step = [component](std::int64_t now) { return component->step(now); };
       work.finished = [component] { return component->finished(); };
     }
+    if constexpr (requires { component->stop(); }) work.stop = [component] { component->stop(); };
     if constexpr (requires { component->finish(); })
       work.finish = [component] { component->finish(); };
     return work;

@@ -3,6 +3,9 @@
 #include <chrono>
 #include <string>
 
+#include "components/bridge/log_source.hpp"
+#include "components/bridge/sim_source.hpp"
+
 namespace perceptor {
 namespace {
 
@@ -15,24 +18,18 @@ std::int64_t session_of(const BridgeConfig& config) {
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
+std::unique_ptr<Source> make_source(const BridgeConfig& config, Bus& bus) {
+  if (config.source == "sim") return std::make_unique<SimSource>(config, session_of(config), bus);
+  if (config.source.starts_with(kLogPrefix))
+    return std::make_unique<LogSource>(config.source.substr(kLogPrefix.size()), config.speed,
+                                       config.duration, bus);
+  throw config::Error("/source: \"" + config.source +
+                      "\" is no source; sources are: sim, log:FILE");
+}
+
 }  // namespace
 
-BridgeComponent::BridgeComponent(const BridgeConfig& config, Bus& bus) {
-  if (config.source == "sim") {
-    sim_ = std::make_unique<SimSource>(config, session_of(config), bus);
-  } else if (config.source.starts_with(kLogPrefix)) {
-    log_ = std::make_unique<LogSource>(config.source.substr(kLogPrefix.size()), config.speed,
-                                       config.duration, bus);
-  } else {
-    throw config::Error("/source: \"" + config.source +
-                        "\" is no source; sources are: sim, log:FILE");
-  }
-}
-
-std::int64_t BridgeComponent::step(std::int64_t now) {
-  return sim_ ? sim_->step(now) : log_->step(now);
-}
-
-bool BridgeComponent::finished() const { return sim_ ? sim_->finished() : log_->finished(); }
+BridgeComponent::BridgeComponent(const BridgeConfig& config, Bus& bus)
+    : source_(make_source(config, bus)) {}
 
 }  // namespace perceptor

@@ -14,8 +14,7 @@
 
 #include "common/bus/bus.hpp"
 #include "components/bridge/bridge_config.hpp"
-#include "components/bridge/log_source.hpp"
-#include "components/bridge/sim_source.hpp"
+#include "components/bridge/source.hpp"
 
 namespace perceptor {
 
@@ -33,19 +32,21 @@ class BridgeComponent {
   }};
   using Config = BridgeConfig;
 
-  /// The bus must outlive the component. Throws config::Error: no such source, a world or a log
-  /// that cannot be read.
+  /// The bus must outlive the component. Throws config::Error: no such source, or none in this
+  /// build; a world or a log that cannot be read.
   BridgeComponent(const BridgeConfig& config, Bus& bus);
 
   /// Does what has become due by `now` [us, monotonic]; gives when to be called next.
-  std::int64_t step(std::int64_t now);
+  std::int64_t step(std::int64_t now) { return source_->step(now); }
 
   /// Nothing more will come: the duration is over, or the log at its end.
-  bool finished() const;
+  bool finished() const { return source_->finished(); }
+
+  /// Brings what moves to rest.
+  void stop() { source_->stop(); }
 
  private:
-  std::unique_ptr<SimSource> sim_;  ///< either this ...
-  std::unique_ptr<LogSource> log_;  ///< ... or this
+  std::unique_ptr<Source> source_;
 };
 
 }  // namespace perceptor

@@ -8,20 +8,19 @@
 #include "common/bus/bus.hpp"
 #include "common/log/event_log.hpp"
 #include "components/bridge/pace.hpp"
+#include "components/bridge/source.hpp"
 
 namespace perceptor {
 
-class LogSource {
+class LogSource : public Source {
  public:
   /// `speed` and `duration` [s] as in BridgeConfig. Throws config::Error where the log cannot be
   /// read.
   LogSource(const std::filesystem::path& file, double speed, double duration, Bus& bus);
 
-  /// Publishes what has become due by `now` [us, monotonic], though not more than a little at a
-  /// time; gives when to be called next.
-  std::int64_t step(std::int64_t now);
+  std::int64_t step(std::int64_t now) override;
 
-  bool finished() const { return at_end_; }
+  bool finished() const override { return at_end_; }
 
  private:
   void read_next();

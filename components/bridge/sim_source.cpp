@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <variant>
 
 #include "common/bus/channels.hpp"
+#include "components/bridge/driver_commands.hpp"
 #include "components/bridge/sim_messages.hpp"
 #include "components/bridge/world_file.hpp"
 
@@ -14,9 +14,6 @@ namespace {
 
 /// Simulated in one step at most [us], so that messages and signals are not kept waiting.
 constexpr std::int64_t kLongestStep = 50'000;
-
-/// Commands that may wait: the sim takes the newest of them.
-constexpr int kCommandCapacity = 20;
 
 sim::SimulatorParameters parameters_of(const BridgeConfig& config) {
   sim::SimulatorParameters parameters =
@@ -36,14 +33,12 @@ SimSource::SimSource(const BridgeConfig& config, std::int64_t session, Bus& bus)
       simulator_(parameters_of(config)),
       pace_(config.speed, simulator_.utime()),
       next_world_(simulator_.utime()) {
-  bus.subscribe_command<pico::velocity_t>(
-      channel::velocity, kCommandCapacity,
-      [this](const pico::velocity_t& command) { take(command); });
-  bus.subscribe_command<pico::open_door_t>(
-      channel::open_door, kCommandCapacity,
-      [this](const pico::open_door_t& request) { take(request); });
-  bus.subscribe_command<pico::speak_t>(channel::speak, kCommandCapacity,
-                                       [this](const pico::speak_t& speech) { take(speech); });
+  subscribe(bus, session,
+            {[this](const Twist& wished, std::optional<std::int64_t> measured_at) {
+               simulator_.command(wished, measured_at);
+             },
+             [this](std::optional<int> door) { open_door(door); },
+             [this](const std::string& text) { speak(text); }});
 }
 
 std::int64_t SimSource::simulated() const {
@@ -105,22 +100,13 @@ void SimSource::say_how_it_goes() {
   bus_.status().set_note(note);
 }
 
-void SimSource::take(const pico::velocity_t& command) {
-  const bool is_of_another_session = command.session != 0 && command.session != session_;
-  if (is_of_another_session) return bus_.reject(channel::velocity, "of another session");
-  const bool is_stamped = command.utime != 0;
-  simulator_.command({command.vx, command.vy, command.va},
-                     is_stamped ? std::optional(command.utime) : std::nullopt);
-}
-
-void SimSource::take(const pico::open_door_t& request) {
-  const bool is_nearest_meant = request.door < 0;
-  if (!simulator_.request_door(is_nearest_meant ? std::nullopt : std::optional(request.door)))
+void SimSource::open_door(std::optional<int> door) {
+  if (!simulator_.request_door(door))
     bus_.reject(channel::open_door, "no such door that opens on request");
 }
 
-void SimSource::take(const pico::speak_t& speech) {
-  spoken_ = speech.text;
+void SimSource::speak(const std::string& text) {
+  spoken_ = text;
   say_how_it_goes();
 }
 

@@ -3,34 +3,29 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
-
-#include <pico/open_door_t.hpp>
-#include <pico/speak_t.hpp>
-#include <pico/velocity_t.hpp>
 
 #include "common/bus/bus.hpp"
 #include "common/time/stamp.hpp"
 #include "components/bridge/bridge_config.hpp"
 #include "components/bridge/pace.hpp"
+#include "components/bridge/source.hpp"
 
 namespace perceptor {
 
-class SimSource {
+class SimSource : public Source {
  public:
   /// Throws config::Error where the world cannot be read. `session` numbers what is published.
   SimSource(const BridgeConfig& config, std::int64_t session, Bus& bus);
 
-  /// Simulates what has become due by `now` [us, monotonic], though not more than a little at a
-  /// time; gives when to be called next.
-  std::int64_t step(std::int64_t now);
+  std::int64_t step(std::int64_t now) override;
 
-  bool finished() const;
+  bool finished() const override;
 
  private:
-  void take(const pico::velocity_t& command);
-  void take(const pico::open_door_t& request);
-  void take(const pico::speak_t& speech);
+  void open_door(std::optional<int> door);
+  void speak(const std::string& text);
   void publish(const sim::OdometryReading& reading);
   void publish(const sim::Sweep& sweep);
   void publish_world();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "components/bridge/velocity_command.hpp"
+
 namespace perceptor::sim {
 namespace {
 
@@ -44,11 +46,11 @@ Base::Base(const BaseParameters& parameters, const Position& robot_in_world)
 
 Twist Base::next_twist(const Twist& wished, double seconds) const {
   const Vector2 present{twist_.vx, twist_.vy};
-  const Vector2 allowed = limited({wished.vx, wished.vy}, parameters_.speed);
-  const Vector2 next = present + limited(allowed - present, parameters_.acceleration * seconds);
-  const double allowed_turn = std::clamp(wished.va, -parameters_.turn_rate, parameters_.turn_rate);
+  const Twist allowed = within_limits(wished, parameters_.speed, parameters_.turn_rate);
+  const Vector2 change = Vector2(allowed.vx, allowed.vy) - present;
+  const Vector2 next = present + limited(change, parameters_.acceleration * seconds);
   const double turn_step = parameters_.angular_acceleration * seconds;
-  const double next_turn = twist_.va + std::clamp(allowed_turn - twist_.va, -turn_step, turn_step);
+  const double next_turn = twist_.va + std::clamp(allowed.va - twist_.va, -turn_step, turn_step);
   return {next.x(), next.y(), next_turn};
 }
 

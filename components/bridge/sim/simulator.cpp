@@ -33,7 +33,8 @@ Simulator::Simulator(const SimulatorParameters& parameters)
       base_(parameters.base, parameters.start_in_world),
       odometry_(parameters.odometry, static_cast<std::uint64_t>(parameters.seed)),
       laser_(parameters.laser, static_cast<std::uint64_t>(parameters.seed)),
-      tour_driver_(parameters.tour) {
+      tour_driver_(parameters.tour),
+      command_(parameters.command_lifetime) {
   const World& world = parameters_.world;
   Random gait = make_stream(static_cast<std::uint64_t>(parameters.seed), Stream::gait);
   for (const DoorParameters& door : world.doors) doors_.emplace_back(door);
@@ -66,7 +67,7 @@ std::int64_t Simulator::next_due() const {
 }
 
 void Simulator::command(const Twist& wished, std::optional<std::int64_t> measured_at) {
-  command_ = Command{wished, std::min(measured_at.value_or(utime_), utime_)};
+  command_.take(wished, std::min(measured_at.value_or(utime_), utime_));
 }
 
 bool Simulator::request_door(std::optional<int> door) {
@@ -88,15 +89,13 @@ bool Simulator::request_door(std::optional<int> door) {
 
 Twist Simulator::wished_twist(double seconds) {
   const bool is_commanded = parameters_.drive == Drive::command ||
-                            (parameters_.drive == Drive::automatic && command_.has_value());
+                            (parameters_.drive == Drive::automatic && command_.has_come());
   if (!is_commanded) {
     const Twist wished = tour_driver_.drive(base_.robot_in_world(), seconds, obstacles_.bodies);
     if (const auto door = tour_driver_.take_door_request()) request_door(*door);
     return wished;
   }
-  if (!command_) return {};
-  const double age = seconds_between(command_->utime, utime_);
-  return age > parameters_.command_lifetime ? Twist{} : command_->wished;
+  return command_.at(utime_).value_or(Twist{});
 }
 
 void Simulator::move_world(double seconds) {

@@ -16,6 +16,7 @@
 #include "components/bridge/sim/person.hpp"
 #include "components/bridge/sim/tour.hpp"
 #include "components/bridge/sim/wheel_odometry.hpp"
+#include "components/bridge/velocity_command.hpp"
 
 namespace perceptor::sim {
 
@@ -106,10 +107,6 @@ class Simulator {
   bool is_tour_over() const { return tour_driver_.is_over(); }
 
  private:
-  struct Command {
-    Twist wished;
-    std::int64_t utime;
-  };
   /// What a tick led from and to.
   struct Tick {
     std::int64_t from;
@@ -134,7 +131,7 @@ class Simulator {
   WheelOdometry odometry_;
   Laser laser_;
   TourDriver tour_driver_;
-  std::optional<Command> command_;
+  VelocityCommand command_;
   Obstacles obstacles_;
   std::size_t fixed_segments_ = 0;  ///< those that come first and never move
   std::int64_t readings_ = 0;       ///< odometry readings so far
