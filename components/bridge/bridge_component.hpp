@@ -1,7 +1,7 @@
-/// @file The robot as the other processes see it: raw measurements from the simulator or from a
-/// recorded log, and commands back to it.
+/// @file The robot as the other processes see it: raw measurements from the simulator, from a
+/// recorded log or from a robot that speaks ROS 1, and commands back to it.
 ///
-/// in:  CMD_VELOCITY, CMD_OPEN_DOOR, CMD_SPEAK (simulator)
+/// in:  CMD_VELOCITY, CMD_OPEN_DOOR, CMD_SPEAK (simulator, ROS)
 /// out: PICO_LASER, PICO_ODOMETRY; the simulator also SIM_TRUTH, SIM_WORLD; a log whatever
 ///      PICO_* it holds
 #pragma once
@@ -22,10 +22,10 @@ class BridgeComponent {
  public:
   static constexpr std::string_view kName = "bridge";
   static constexpr std::string_view kSummary =
-      "publishes raw laser and odometry, from the simulator or from a recorded log";
+      "publishes raw laser and odometry, from the simulator, a recorded log or a robot";
   /// Command-line options that stand for a configuration key.
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kShortcuts = {{
-      {"source", "sim (the simulator), or log:FILE (an LCM log)"},
+      {"source", "sim (the simulator), log:FILE (an LCM log), or ros (a robot that speaks ROS 1)"},
       {"world", "of the simulator: a world's name, or its file"},
       {"speed", "times real time; 0: as fast as it can"},
       {"duration", "[s] of the source's own time, then stop; 0: for ever"},

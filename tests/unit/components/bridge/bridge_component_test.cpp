@@ -290,13 +290,13 @@ TEST_F(CommandedBridge, SaysAloudInItsStatus) {
 
 TEST(Bridge, UnknownSourceListsThoseThereAre) {
   BridgeConfig config = sim_config();
-  config.source = "ros";
+  config.source = "rosbag";
   Recorder recorder;
   try {
     const BridgeComponent bridge(config, recorder.bus);
     FAIL() << "took an unknown source";
   } catch (const config::Error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("sim, log:FILE"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("sim, log:FILE, ros"));
   }
 }
 
@@ -304,13 +304,17 @@ TEST(Bridge, ItsConfigurationFileHoldsItsDefaults) {
   BridgeConfig config;
   config.world = "changed";
   config.speed = 9.0;
+  config.ros.master = "http://changed:1";
+  config.ros.node = "changed";
+  config.ros.stale_after = 9.0;
+  config.ros.laser = {"/changed", "changed", 0.9, 0.9, 9.0};
+  config.ros.odometry = {"/changed", "changed"};
+  config.ros.commands = {"/changed", "/changed", "/changed", 9.0};
   config::load({std::filesystem::path(PERCEPTOR_TEST_CONFIG) / "bridge.json", {}, {}},
                [&](config::Fields& fields) { describe(fields, config); });
-  const BridgeConfig defaults;
-  EXPECT_EQ(config.world, defaults.world);
-  EXPECT_EQ(config.speed, defaults.speed);
-  EXPECT_EQ(config.source, defaults.source);
-  EXPECT_EQ(config.drive, defaults.drive);
+  BridgeConfig defaults;
+  EXPECT_EQ(config::print([&](config::Fields& fields) { describe(fields, config); }),
+            config::print([&](config::Fields& fields) { describe(fields, defaults); }));
 }
 
 }  // namespace
