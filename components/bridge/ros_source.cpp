@@ -82,7 +82,7 @@ void RosSource::take(const RosLink::Arrived::Message& message) {
 /// Checked as every message that comes in over the bus: its bytes, its sense, its time.
 template <class RosMessage>
 void RosSource::publish(Feed& feed, ros1::Bytes bytes, const auto& convert) {
-  feed.alive = now_;
+  feed.heard_at = now_;
   bus_.status().received(feed.topic);
   RosMessage received;
   if (const auto fault = ros1::decode(bytes, received); !fault.empty())
@@ -110,11 +110,17 @@ void RosSource::drive(const Twist& wished, std::optional<std::int64_t> measured_
 }
 
 bool RosSource::is_silent(const Feed& feed) const {
-  return !feed.is_subscribed || seconds_between(feed.alive, now_) > ros_.stale_after;
+  return seconds_between(feed.heard_at, now_) > ros_.stale_after;
+}
+
+/// Anew, where the last one has brought nothing for so long.
+bool RosSource::needs_subscription(const Feed& feed) const {
+  const bool had_its_time = seconds_between(feed.subscribed_at, now_) > ros_.stale_after;
+  return !feed.is_subscribed || (is_silent(feed) && had_its_time);
 }
 
 void RosSource::keep_connected() {
-  const bool is_all_well = !is_silent(laser_) && !is_silent(odometry_);
+  const bool is_all_well = !needs_subscription(laser_) && !needs_subscription(odometry_);
   if (is_all_well || now_ < next_question_) return;
   const MasterProbe::Answer answer = link_->ask_master(now_);
   if (answer == MasterProbe::Answer::not_yet) return;
@@ -128,9 +134,9 @@ bool RosSource::connect_what_is_silent() {
   bool taken = link_->advertise();
   for (const RosLink::Feed which : {RosLink::Feed::laser, RosLink::Feed::odometry}) {
     Feed& silent = feed(which);
-    if (!is_silent(silent)) continue;
+    if (!needs_subscription(silent)) continue;
     silent.is_subscribed = link_->subscribe(which);
-    silent.alive = now_;
+    silent.subscribed_at = now_;
     taken = taken && silent.is_subscribed;
   }
   return taken;

@@ -40,7 +40,8 @@ class RosSource : public Source {
     std::string frame;    ///< that is taken; empty: any
     const char* channel;  ///< where it goes
     bool is_subscribed = false;
-    std::int64_t alive = 0;  ///< [us] when it was last heard, or subscribed to
+    std::int64_t subscribed_at = 0;  ///< [us]
+    std::int64_t heard_at = 0;       ///< [us] when the last message came
     ContinuityWatch watch = {};
     std::int64_t published = 0;
   };
@@ -51,6 +52,7 @@ class RosSource : public Source {
   void publish(Feed& feed, ros1::Bytes bytes, const auto& convert);
   void drive(const Twist& wished, std::optional<std::int64_t> measured_at);
   bool is_silent(const Feed& feed) const;
+  bool needs_subscription(const Feed& feed) const;
   void keep_connected();
   bool connect_what_is_silent();
   void say_how_it_goes();

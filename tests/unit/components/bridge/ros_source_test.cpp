@@ -262,6 +262,9 @@ TEST_F(RosSourceTest, SubscribesAnewWhenDataGoesStaleAndTheMasterIsThere) {
   EXPECT_EQ(ros_.laser_subscriptions, 2);
   EXPECT_EQ(ros_.odometry_subscriptions, 2);
   EXPECT_EQ(ros_.advertised, 2);
+  EXPECT_THAT(recorder_.note(), ::testing::HasSubstr("nothing on /pico/laser"));
+  robot_works(0.5);
+  EXPECT_THAT(recorder_.note(), ::testing::Not(::testing::HasSubstr("nothing on")));
 }
 
 /// A robot outlives its master: its old connections go on, and no new one could be made.
