@@ -114,13 +114,14 @@ std::string_view decode(Bytes bytes, Odometry& odometry) {
   return {};
 }
 
-double last_angle(const LaserScan& scan) {
+std::optional<double> last_angle(const LaserScan& scan) {
   const double increment = scan.angle_increment;
   const double steps = static_cast<double>(scan.ranges.size()) - 1.0;
   const double last = scan.angle_min + steps * increment;
   constexpr double beams_off = 1.5;
+  const bool is_one_beam = scan.ranges.size() == 1;
   const bool is_meant = std::abs(scan.angle_max - last) < beams_off * std::abs(increment);
-  return is_meant ? last : scan.angle_max;
+  return is_meant || is_one_beam ? std::optional(last) : std::nullopt;
 }
 
 bool is_same_frame(std::string_view one, std::string_view other) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,9 +53,9 @@ std::string_view decode(Bytes bytes, LaserScan& scan);
 /// x axis, seen from above.
 std::string_view decode(Bytes bytes, Odometry& odometry);
 
-/// The angle of the last beam [rad]. Some drivers say an angle_max that is one beam off: it is
-/// taken as meant, so that angles and beams match; one that is farther off stays as it is.
-double last_angle(const LaserScan& scan);
+/// The angle of the last beam [rad]. Some drivers say an angle_max that is one beam off: that is
+/// forgiven; none where it is farther off.
+std::optional<double> last_angle(const LaserScan& scan);
 
 /// Whether two names are of one frame: a leading slash counts for nothing.
 bool is_same_frame(std::string_view one, std::string_view other);

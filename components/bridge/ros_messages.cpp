@@ -12,7 +12,7 @@ pico::laser_scan_t to_message(const ros1::LaserScan& scan, const RosLaser& laser
   message.laser_in_robot = to_message(mounting.laser_in_robot);
   message.time_increment = scan.time_increment;
   message.angle_min = scan.angle_min;
-  message.angle_max = ros1::last_angle(scan);
+  message.angle_max = ros1::last_angle(scan).value_or(scan.angle_max);
   message.angle_increment = scan.angle_increment;
   message.valid_min = laser.valid_min > 0.0 ? laser.valid_min : valid.min;
   message.valid_max = laser.valid_max > 0.0 ? laser.valid_max : valid.max;

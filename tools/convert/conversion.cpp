@@ -1,6 +1,8 @@
 #include "tools/convert/conversion.hpp"
 
+#include <algorithm>
 #include <iomanip>
+#include <utility>
 
 #include "common/time/stamp.hpp"
 
@@ -17,12 +19,10 @@ void count(ConversionSummary& summary, std::int64_t line, const Dropped& dropped
                           (dropped.detail.empty() ? "" : ": " + dropped.detail));
 }
 
-}  // namespace
-
-ConversionSummary convert(std::istream& in, const std::string& name,
-                          const std::filesystem::path& out, const ConversionOptions& options,
-                          const std::function<void(std::int64_t bytes)>& progress) {
-  RecordingReader reader(in, options.format, name);
+/// Whatever the reader reads; `progress` is called after each line.
+template <class Reader>
+ConversionSummary convert_all(Reader& reader, const std::filesystem::path& out,
+                              const ConversionOptions& options, const auto& progress) {
   EventWriter writer(out, options.events);
   ConversionSummary summary;
   const auto drop = [&](const Dropped& dropped) {
@@ -39,7 +39,7 @@ ConversionSummary convert(std::istream& in, const std::string& name,
       if (!fault.empty()) drop({fault, {}});
     }
     if (parsed->dropped) drop(*parsed->dropped);
-    if (progress) progress(reader.bytes());
+    progress();
   }
   writer.finish();
 
@@ -53,15 +53,43 @@ ConversionSummary convert(std::istream& in, const std::string& name,
   return summary;
 }
 
+}  // namespace
+
+ConversionSummary convert(std::istream& in, const std::string& name,
+                          const std::filesystem::path& out, const ConversionOptions& options,
+                          const std::function<void(std::int64_t bytes)>& progress) {
+  RecordingReader reader(in, options.format, name);
+  return convert_all(reader, out, options, [&] {
+    if (progress) progress(reader.bytes());
+  });
+}
+
+ConversionSummary convert_bag(const std::filesystem::path& bag, const std::filesystem::path& out,
+                              const ConversionOptions& options,
+                              const std::function<void(std::int64_t bytes)>& progress) {
+  BagFile file = open_bag(
+      bag, [topics = options.topics](std::string_view topic) { return topics.is_wanted(topic); });
+  const auto size = static_cast<double>(std::filesystem::file_size(bag));
+  const double bytes_in_message =
+      size / static_cast<double>(std::max<std::int64_t>(1, file.messages));
+  BagReader reader(std::move(file), options.topics);
+  ConversionSummary summary = convert_all(reader, out, options, [&] {
+    const double bytes = bytes_in_message * static_cast<double>(reader.line());
+    if (progress) progress(static_cast<std::int64_t>(bytes));
+  });
+  summary.unit = "message";
+  return summary;
+}
+
 void print(std::ostream& out, const ConversionSummary& summary) {
-  out << summary.lines << " lines read: " << summary.scans << " scans, " << summary.odometry
-      << " odometry";
+  out << summary.lines << ' ' << summary.unit << "s read: " << summary.scans << " scans, "
+      << summary.odometry << " odometry";
   if (summary.is_useful())
     out << " written, " << std::fixed << std::setprecision(1) << summary.duration << " s, session "
         << summary.session;
   out << '\n';
   for (const auto& [reason, lines] : summary.dropped) {
-    out << "dropped " << lines.count << ", " << reason << ": line";
+    out << "dropped " << lines.count << ", " << reason << ": " << summary.unit;
     if (lines.count > 1) out << 's';
     const char* separator = " ";
     for (const std::string& line : lines.first) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/convert/bag_reader.hpp"
 #include "tools/convert/event_writer.hpp"
 #include "tools/convert/recording_reader.hpp"
 
@@ -18,16 +19,18 @@ namespace perceptor {
 
 struct ConversionOptions {
   RecordingFormat format = RecordingFormat::automatic;
-  EventWriterOptions events;
+  EventWriterOptions events = {};
+  BagTopics topics = {};  ///< of a ROS bag
 };
 
-/// Lines that gave nothing, for one reason.
+/// Lines, or messages, that gave nothing, for one reason.
 struct DroppedLines {
   std::int64_t count = 0;
   std::vector<std::string> first;  ///< "12: abc", of the first few
 };
 
 struct ConversionSummary {
+  std::string_view unit = "line";  ///< what is counted: lines of a text, messages of a bag
   std::int64_t lines = 0;
   std::int64_t scans = 0;
   std::int64_t odometry = 0;
@@ -44,6 +47,11 @@ struct ConversionSummary {
 ConversionSummary convert(std::istream& in, const std::string& name,
                           const std::filesystem::path& out, const ConversionOptions& options,
                           const std::function<void(std::int64_t bytes)>& progress = {});
+
+/// The same of a ROS bag, of which nothing but the file will do.
+ConversionSummary convert_bag(const std::filesystem::path& bag, const std::filesystem::path& out,
+                              const ConversionOptions& options,
+                              const std::function<void(std::int64_t bytes)>& progress = {});
 
 /// For people.
 void print(std::ostream& out, const ConversionSummary& summary);

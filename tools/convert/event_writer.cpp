@@ -94,7 +94,7 @@ std::string_view EventWriter::add(const ScanRecord& scan) {
   pico::laser_scan_t message{};
   set_stamp(message, {scan.utime, session_, scans_});
   message.laser_in_robot = to_message(scan.laser_in_robot);
-  message.time_increment = options_.time_increment;
+  message.time_increment = options_.time_increment.value_or(scan.time_increment);
   message.valid_min = options_.valid_min.value_or(valid_min);
   message.valid_max = options_.valid_max.value_or(valid_max);
   message.range_sigma = options_.range_sigma;

@@ -16,12 +16,12 @@
 namespace perceptor {
 
 struct EventWriterOptions {
-  std::optional<std::int64_t> session;  ///< none: the first record's utime
-  double range_sigma = 0.01;            ///< [m] standard deviation of a valid range
-  double time_increment = 0.0;          ///< [s] from beam to beam; 0: all at once
-  std::optional<double> valid_min;      ///< [m] instead of what is recorded
-  std::optional<double> valid_max;      ///< [m] instead of what is recorded
-  bool still = false;                   ///< odometry of zeros instead of what is recorded
+  std::optional<std::int64_t> session;   ///< none: the first record's utime
+  double range_sigma = 0.01;             ///< [m] standard deviation of a valid range
+  std::optional<double> time_increment;  ///< [s] instead of what is recorded; 0: all at once
+  std::optional<double> valid_min;       ///< [m] instead of what is recorded
+  std::optional<double> valid_max;       ///< [m] instead of what is recorded
+  bool still = false;                    ///< odometry of zeros instead of what is recorded
 };
 
 /// Writes PICO_LASER, PICO_ODOMETRY and, at the end, one STATUS_CONVERT that counts them, so

@@ -20,8 +20,10 @@ constexpr int kExitNothing = 1;
 
 constexpr const char* kSummary =
     "Converts a recording to an LCM event log with PICO_LASER and PICO_ODOMETRY.\n"
-    "Reads the text logs of this project (ODOM, LASER, LASERA lines) and CARMEN logs\n"
-    "(ODOM, FLASER, ROBOTLASER1). Says on stderr what was written and what was dropped.";
+    "Reads the text logs of this project (ODOM, LASER, LASERA lines), CARMEN logs (ODOM, FLASER,\n"
+    "ROBOTLASER1) and ROS bags (LaserScan, Odometry). Says on stderr what was written and what "
+    "was\n"
+    "dropped.";
 
 constexpr const char* kExamples =
     "Examples:\n"
@@ -30,6 +32,7 @@ constexpr const char* kExamples =
     "  pico-convert --still --sigma 0.005 doorway.log doorway.lcmlog\n"
     "                                    a standing robot that recorded no odometry\n"
     "  pico-convert --valid-max 30 csail.carmen csail.lcmlog\n"
+    "  pico-convert --laser-topic /scan --odometry-topic /odom drive.bag drive.lcmlog\n"
     "  pico-logcheck office.lcmlog       is it whole?\n"
     "  lcm-logplayer -e 'PICO_.*' office.lcmlog   play it to running components\n"
     "\n"
@@ -59,9 +62,11 @@ int run(const std::string& in_name, const std::string& out_name, const Conversio
   std::ios::sync_with_stdio(false);
   try {
     perceptor::Progress progress("converting", static_cast<std::int64_t>(size));
-    const auto summary =
-        perceptor::convert(is_standard_input ? std::cin : file, in_name, out_name, options,
-                           [&](std::int64_t bytes) { progress.at(bytes); });
+    const auto show = [&](std::int64_t bytes) { progress.at(bytes); };
+    const auto summary = !is_standard_input && perceptor::is_bag(in_name)
+                             ? perceptor::convert_bag(in_name, out_name, options, show)
+                             : perceptor::convert(is_standard_input ? std::cin : file, in_name,
+                                                  out_name, options, show);
     print(std::cerr, summary);
     if (summary.is_useful()) return perceptor::kExitOk;
   } catch (const perceptor::NotARecording& failure) {
@@ -94,8 +99,7 @@ int main(int argc, char** argv) {
                  "number of the session; default: the first stamp in microseconds")
       ->check(CLI::PositiveNumber);
   app.add_option("--time-increment", options.events.time_increment,
-                 "[s] from beam to beam; 0: all beams at once")
-      ->capture_default_str()
+                 "[s] from beam to beam; 0: all beams at once; default: as recorded")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--valid-min", options.events.valid_min,
                  "[m] a shorter range is no return; default: as recorded")
@@ -103,6 +107,10 @@ int main(int argc, char** argv) {
   app.add_option("--valid-max", options.events.valid_max,
                  "[m] a longer range is no return; default: as recorded")
       ->check(CLI::PositiveNumber);
+  app.add_option("--laser-topic", options.topics.laser, "of a bag: sensor_msgs/LaserScan")
+      ->capture_default_str();
+  app.add_option("--odometry-topic", options.topics.odometry, "of a bag: nav_msgs/Odometry")
+      ->capture_default_str();
   return perceptor::run_tool(app, argc, argv, [&] {
     if (format == "text") options.format = RecordingFormat::text;
     if (format == "carmen") options.format = RecordingFormat::carmen;

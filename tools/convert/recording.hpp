@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,12 @@
 #include "common/geometry/position.hpp"
 
 namespace perceptor {
+
+/// The input is not of a kind that is read; says what it is and what to do.
+class NotARecording : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 struct OdometryRecord {
   std::int64_t utime = 0;  ///< [us]
@@ -24,6 +31,7 @@ struct ScanRecord {
   Position laser_in_robot;
   double angle_min = 0.0;        ///< [rad] laser frame
   double angle_increment = 0.0;  ///< [rad] counter-clockwise positive
+  double time_increment = 0.0;   ///< [s] from beam to beam; 0: not recorded, or all at once
   double range_max = 0.0;        ///< [m] what the laser calls its maximum; 0: not recorded
   double valid_min = 0.0;        ///< [m] shorter is "no return"; 0: not recorded
   double valid_max = 0.0;        ///< [m] longer is "no return"; 0: not recorded
@@ -57,6 +65,9 @@ inline constexpr std::string_view late_header = "header line after the first rec
 inline constexpr std::string_view too_long = "line too long";
 inline constexpr std::string_view not_converted = "kind of line that is not converted";
 inline constexpr std::string_view no_valid_range = "no valid range (give --valid-max)";
+inline constexpr std::string_view wrong_angles = "number of beams does not match the angles";
+inline constexpr std::string_view another_type = "another type than is read from its topic";
+inline constexpr std::string_view damaged = "damaged";
 inline constexpr std::string_view replaced = "odometry replaced by --still";
 }  // namespace drop_reason
 

@@ -26,16 +26,20 @@ constexpr std::array<Signature, 6> kSignatures = {{
     {"BZh", "compressed with bzip2", "bzip2 -dc"},
     {"\x28\xB5\x2F\xFD", "compressed with zstd", "zstd -dc"},
     {"\xED\xA1\xDA\x01", "an LCM event log already", ""},
-    {"#ROSBAG", "a ROS bag, which this program does not read", ""},
+    {"#ROSBAG", "a ROS bag, which is read from a file and not from a pipe", ""},
 }};
 
 void require_text(std::string_view first_line, const std::string& name) {
   for (const Signature& signature : kSignatures) {
     if (!first_line.starts_with(signature.bytes)) continue;
     std::string text = name + " is " + std::string(signature.what);
-    if (!signature.unpack.empty())
-      text += ". Unpack it on the way in:\n  " + std::string(signature.unpack) + " " +
-              (name == "-" ? "FILE" : name) + " | pico-convert - OUT.lcmlog";
+    const std::string unpack =
+        "\n  " + std::string(signature.unpack) + " " + (name == "-" ? "FILE" : name);
+    const bool holds_bag = name.find(".bag") != std::string::npos;
+    if (!signature.unpack.empty() && holds_bag)
+      text += ". Unpack it first:" + unpack + " > FILE.bag\n  pico-convert FILE.bag OUT.lcmlog";
+    else if (!signature.unpack.empty())
+      text += ". Unpack it on the way in:" + unpack + " | pico-convert - OUT.lcmlog";
     throw NotARecording(text);
   }
 }

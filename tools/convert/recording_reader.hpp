@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <istream>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -17,12 +16,6 @@
 namespace perceptor {
 
 enum class RecordingFormat { automatic, text, carmen };
-
-/// The input is not a text at all; says what it is and what to do.
-class NotARecording : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Reads forward, a line at a time, and holds no more than that.
 class RecordingReader {

@@ -153,8 +153,10 @@ TEST(LastAngle, FollowsFromTheBeamsWhereAngleMaxIsOneBeamOff) {
   EXPECT_EQ(last_angle(scan), 1.0);
   scan.angle_max = 2.0F;  // as if there were a fourth beam
   EXPECT_EQ(last_angle(scan), 1.0);
-  scan.angle_max = 3.0F;  // no beam counts that: for the message's own check to see
-  EXPECT_EQ(last_angle(scan), 3.0);
+  scan.angle_max = 3.0F;
+  EXPECT_EQ(last_angle(scan), std::nullopt);
+  scan.ranges = {1.0F};
+  EXPECT_EQ(last_angle(scan), -1.0);
 }
 
 TEST(Frame, OfOneNameWithAndWithoutASlash) {

@@ -277,6 +277,7 @@ TEST_F(Conversion, SaysHowToUnpack) {
                       "a.log.xz"),
               HasSubstr("xz -dc a.log.xz | pico-convert - "));
   EXPECT_THAT(failure("\x1F\x8B\b", "-"), HasSubstr("gzip -dc FILE | pico-convert - "));
+  EXPECT_THAT(failure("BZh9", "a.bag.bz2"), HasSubstr("bzip2 -dc a.bag.bz2 > FILE.bag"));
   EXPECT_THAT(failure("BZh9", "a"), HasSubstr("bzip2 -dc"));
   EXPECT_THAT(failure("\x28\xB5\x2F\xFD", "a"), HasSubstr("zstd -dc"));
   EXPECT_THAT(failure("\xED\xA1\xDA\x01", "a"), HasSubstr("an LCM event log already"));
