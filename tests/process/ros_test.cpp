@@ -471,6 +471,9 @@ TEST_F(RestartTest, AMasterThatHangsHoldsNothingUp) {
   master_->signal(SIGCONT);
   start_robot();
   expect_data_within(3.0);
+  master_->signal(SIGSTOP);
+  bridge_->signal(SIGTERM);
+  EXPECT_EQ(bridge_->wait(Seconds(3)), 0) << "it does not wait to take its leave";
 }
 
 TEST_F(RosTest, BrokenMessagesAreCountedAndCostNothing) {

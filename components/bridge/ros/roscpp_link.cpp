@@ -1,7 +1,6 @@
 /// @file roscpp behind RosLink. Its threads only fill a queue; whatever it calls back is called
 /// from take_arrived, on the bridge's own thread.
 #include <chrono>
-#include <optional>
 #include <thread>
 #include <utility>
 
@@ -67,6 +66,14 @@ constexpr std::uint32_t kSendQueue = 5;
 /// [s] A call to a master that went away meanwhile ends after this.
 constexpr double kMasterPatience = 1.0;
 
+/// Between two looks for the master's reply, where there is nothing else to do.
+constexpr milliseconds kReplyPause{2};
+
+std::int64_t monotonic_now() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
+
 /// roscpp sends in the background. So long, and so often, zero is said at the end.
 constexpr milliseconds kLastWordsPause{20};
 constexpr int kLastWords = 8;
@@ -80,52 +87,55 @@ class RoscppLink : public RosLink {
     ros::master::setRetryTimeout(ros::WallDuration(kMasterPatience));
   }
 
+  /// Takes leave of the master, or goes without where there is none: roscpp would wait for it.
+  ~RoscppLink() override {
+    if (!is_master_there()) (void)node_.release();
+  }
+
   MasterProbe::Answer ask_master(std::int64_t now) override { return probe_.ask(now); }
 
   bool subscribe(Feed feed) override {
     if (feed == Feed::laser)
-      return subscribe<sensor_msgs::LaserScan>(laser_, parameters_.laser.topic, feed);
-    return subscribe<nav_msgs::Odometry>(odometry_, parameters_.odometry.topic, feed);
+      return subscribe<sensor_msgs::LaserScan>(node().laser, parameters_.laser.topic, feed);
+    return subscribe<nav_msgs::Odometry>(node().odometry, parameters_.odometry.topic, feed);
   }
 
   bool advertise() override {
     const RosCommands& topics = parameters_.commands;
-    const bool all = advertise<geometry_msgs::Twist>(
-        velocity_, topics.velocity,
+    const bool is_velocity = advertise<geometry_msgs::Twist>(
+        node().velocity, topics.velocity,
         [this](const ros::SingleSubscriberPublisher&) { arrived_.velocity_listener = true; });
-    return advertise<std_msgs::Empty>(open_door_, topics.open_door) &&
-           advertise<std_msgs::String>(speak_, topics.speak) && all;
+    return is_velocity && advertise<std_msgs::Empty>(node().open_door, topics.open_door) &&
+           advertise<std_msgs::String>(node().speak, topics.speak);
   }
 
   Arrived take_arrived() override {
-    callbacks_.callAvailable();
+    if (node_) node_->callbacks.callAvailable();
     return std::exchange(arrived_, {});
   }
 
   bool is_alive() const override { return !node_ || ros::ok(); }
 
   int velocity_listeners() const override {
-    return velocity_ ? static_cast<int>(velocity_.getNumSubscribers()) : 0;
+    return node_ && node_->velocity ? static_cast<int>(node_->velocity.getNumSubscribers()) : 0;
   }
 
   void drive(double vx, double vy, double va) override {
-    if (!velocity_) return;
     geometry_msgs::Twist message;
     message.linear.x = vx;
     message.linear.y = vy;
     message.angular.z = va;
-    velocity_.publish(message);
+    if (node_ && node_->velocity) node_->velocity.publish(message);
   }
 
   void open_door() override {
-    if (open_door_) open_door_.publish(std_msgs::Empty());
+    if (node_ && node_->open_door) node_->open_door.publish(std_msgs::Empty());
   }
 
   void speak(const std::string& text) override {
-    if (!speak_) return;
     std_msgs::String message;
     message.data = text;
-    speak_.publish(message);
+    if (node_ && node_->speak) node_->speak.publish(message);
   }
 
   void drive_no_more() override {
@@ -136,13 +146,31 @@ class RoscppLink : public RosLink {
   }
 
  private:
-  /// roscpp starts with the first of these, and talks to the master then.
-  ros::NodeHandle& node() {
+  struct Node {
+    ros::CallbackQueue callbacks;
+    ros::NodeHandle handle;
+    ros::Subscriber laser;
+    ros::Subscriber odometry;
+    ros::Publisher velocity;
+    ros::Publisher open_door;
+    ros::Publisher speak;
+  };
+
+  /// roscpp starts with the first call, and talks to the master then.
+  Node& node() {
     if (!node_) {
-      node_.emplace();
-      node_->setCallbackQueue(&callbacks_);
+      node_ = std::make_unique<Node>();
+      node_->handle.setCallbackQueue(&node_->callbacks);
     }
     return *node_;
+  }
+
+  bool is_master_there() {
+    while (true) {
+      const MasterProbe::Answer answer = probe_.ask(monotonic_now());
+      if (answer != MasterProbe::Answer::not_yet) return answer == MasterProbe::Answer::yes;
+      std::this_thread::sleep_for(kReplyPause);
+    }
   }
 
   template <class RosType>
@@ -152,8 +180,8 @@ class RoscppLink : public RosLink {
         [this, feed](const boost::shared_ptr<const Raw<RosType>>& raw) {
           arrived_.messages.push_back({feed, raw->bytes});
         };
-    subscriber = node().subscribe<Raw<RosType>>(topic, kReceiveQueue, take, {},
-                                                ros::TransportHints().tcpNoDelay());
+    subscriber = node().handle.subscribe<Raw<RosType>>(topic, kReceiveQueue, take, {},
+                                                       ros::TransportHints().tcpNoDelay());
     return static_cast<bool>(subscriber);
   }
 
@@ -162,20 +190,14 @@ class RoscppLink : public RosLink {
                  const ros::SubscriberStatusCallback& on_listener = {}) {
     if (publisher && publisher.getNumSubscribers() > 0) return true;
     publisher.shutdown();
-    publisher = node().advertise<RosType>(topic, kSendQueue, on_listener);
+    publisher = node().handle.advertise<RosType>(topic, kSendQueue, on_listener);
     return static_cast<bool>(publisher);
   }
 
   RosParameters parameters_;
   MasterProbe probe_;
-  ros::CallbackQueue callbacks_;
   Arrived arrived_;
-  std::optional<ros::NodeHandle> node_;
-  ros::Subscriber laser_;
-  ros::Subscriber odometry_;
-  ros::Publisher velocity_;
-  ros::Publisher open_door_;
-  ros::Publisher speak_;
+  std::unique_ptr<Node> node_;  ///< none until the master has answered
 };
 
 }  // namespace
