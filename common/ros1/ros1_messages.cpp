@@ -1,6 +1,5 @@
 #include "common/ros1/ros1_messages.hpp"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -97,19 +96,21 @@ std::string_view decode(Bytes bytes, Odometry& odometry) {
   Wire wire(bytes);
   std::string child_frame;
   double height = 0.0;
-  std::array<double, 4> q{};  // x, y, z, w
+  double x = 0.0;  // of the quaternion
+  double y = 0.0;
+  double z = 0.0;
+  double w = 0.0;
   read(wire, odometry.header);
   wire.text(child_frame);
-  for (double* number : {&odometry.pose.x, &odometry.pose.y, &height, &q[0], &q[1], &q[2], &q[3]})
+  for (double* number : {&odometry.pose.x, &odometry.pose.y, &height, &x, &y, &z, &w})
     wire.number(*number);
   wire.skip_doubles(kCovariance + kTwist);
   if (const auto fault = wire.fault(); !fault.empty()) return fault;
 
   constexpr double far_from_one = 0.01;
-  const double norm = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  const double norm = x * x + y * y + z * z + w * w;
   const bool is_rotation = std::abs(norm - 1.0) < far_from_one;
   if (!is_rotation) return "orientation is no rotation";
-  const auto& [x, y, z, w] = q;
   odometry.pose.a = std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);
   return {};
 }

@@ -120,7 +120,8 @@ bool RosSource::needs_subscription(const Feed& feed) const {
 }
 
 void RosSource::keep_connected() {
-  const bool is_all_well = !needs_subscription(laser_) && !needs_subscription(odometry_);
+  const bool is_all_well =
+      is_advertised_ && !needs_subscription(laser_) && !needs_subscription(odometry_);
   if (is_all_well || now_ < next_question_) return;
   const MasterProbe::Answer answer = link_->ask_master(now_);
   if (answer == MasterProbe::Answer::not_yet) return;
@@ -131,7 +132,8 @@ void RosSource::keep_connected() {
 
 /// Gives whether the master took it all.
 bool RosSource::connect_what_is_silent() {
-  bool taken = link_->advertise();
+  is_advertised_ = link_->advertise();
+  bool taken = is_advertised_;
   for (const RosLink::Feed which : {RosLink::Feed::laser, RosLink::Feed::odometry}) {
     Feed& silent = feed(which);
     if (!needs_subscription(silent)) continue;

@@ -72,6 +72,7 @@ class RosSource : public Source {
   std::int64_t next_question_ = 0;
   std::int64_t next_note_ = 0;
   bool does_master_answer_ = true;  ///< when it was last asked
+  bool is_advertised_ = false;      ///< the master knows what we publish
   bool is_stopped_ = false;
 };
 

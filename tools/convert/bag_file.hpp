@@ -16,7 +16,7 @@ struct BagMessage {
   std::string topic;
   std::string type;                 ///< "sensor_msgs/LaserScan"
   std::vector<std::uint8_t> bytes;  ///< as sent: see common/ros1; none where it is not wanted
-  std::string fault;                ///< why the bytes cannot be had; empty: they are there
+  std::string fault;                ///< why it cannot be read; empty: it can
 };
 
 struct BagFile {

@@ -52,13 +52,13 @@ ParsedLine BagReader::parse(const BagMessage& message) const {
   const bool is_laser = message.topic == topics_.laser;
   if (message.type != (is_laser ? kLaserType : kOdometryType))
     return dropped(drop_reason::another_type, message.type);
-  if (!message.fault.empty()) return dropped(drop_reason::damaged, message.fault);
   return is_laser ? parse_scan(message.bytes) : parse_odometry(message.bytes);
 }
 
 std::optional<ParsedLine> BagReader::next() {
   while (const auto message = file_.next()) {
     ++read_;
+    if (!message->fault.empty()) return dropped(drop_reason::damaged, message->fault);
     if (topics_.is_wanted(message->topic)) return parse(*message);
     Skipped& skipped = skipped_[message->topic];
     skipped.type = message->type;

@@ -43,7 +43,7 @@ void topic(config::Fields& fields, std::string_view key, std::string& value,
 
 void describe(config::Fields& fields, RosLaser& laser) {
   topic(fields, "topic", laser.topic, "of sensor_msgs/LaserScan");
-  fields.text("frame", laser.frame, "frame_id that is taken (PICO's: \"pico/laser\"); \"\": any");
+  fields.text("frame", laser.frame, R"(frame_id that is taken (PICO's: "pico/laser"); "": any)");
   fields.number("miss_noise", laser.miss_noise, {0.0, 1.0},
                 "[m] ranges so near to 0 or to range_max are no return");
   fields.number("valid_min", laser.valid_min, kDistance,
@@ -66,9 +66,9 @@ void describe(config::Fields& fields, RosCommands& commands) {
 }
 
 void describe(config::Fields& fields, RosParameters& ros) {
-  fields.text("master", ros.master, "\"http://HOST:PORT\"; \"\": as ROS_MASTER_URI says");
+  fields.text("master", ros.master, R"("http://HOST:PORT"; "": as ROS_MASTER_URI says)");
   fields.require(ros.master.empty() || parse_master_uri(ros.master).has_value(), "master",
-                 "\"http://HOST:PORT\", or \"\"");
+                 R"("http://HOST:PORT", or "")");
   fields.text("node", ros.node, "our name among ROS's nodes");
   fields.require(is_node_name(ros.node), "node", "letters, digits and _, a letter first");
   fields.number("stale_after", ros.stale_after, {0.1, 60.0},

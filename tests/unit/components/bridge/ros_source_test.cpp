@@ -30,6 +30,7 @@ constexpr std::int64_t kSecond = 1'000'000;
 struct FakeRos {
   Answer master = Answer::yes;
   bool takes_subscriptions = true;
+  bool takes_advertisements = true;
   bool is_alive = true;
   RosLink::Arrived arrived;
   int laser_subscriptions = 0;
@@ -51,7 +52,7 @@ class FakeLink : public RosLink {
   }
   bool advertise() override {
     ++ros_.advertised;
-    return true;
+    return ros_.takes_advertisements;
   }
   Arrived take_arrived() override { return std::exchange(ros_.arrived, {}); }
   bool is_alive() const override { return ros_.is_alive; }
@@ -286,6 +287,21 @@ TEST_F(RosSourceTest, AMasterThatRefusesIsAskedAgain) {
   run(1.2);
   EXPECT_GE(ros_.laser_subscriptions, 2);
   EXPECT_LE(ros_.laser_subscriptions, 4);
+}
+
+/// Or the robot could not be stopped, though its measurements come.
+TEST_F(RosSourceTest, AdvertisesUntilTheMasterTakesIt) {
+  ros_.takes_advertisements = false;
+  robot_works(0.3);
+  EXPECT_EQ(ros_.advertised, 1);
+  robot_works(2.0);
+  EXPECT_GE(ros_.advertised, 4);
+  ros_.takes_advertisements = true;
+  robot_works(0.6);
+  const int advertised = ros_.advertised;
+  robot_works(2.0);
+  EXPECT_EQ(ros_.advertised, advertised);
+  EXPECT_EQ(ros_.laser_subscriptions, 1);
 }
 
 TEST_F(RosSourceTest, ANodeThatWasShutDownEndsTheBridge) {

@@ -2,6 +2,8 @@
 
 #include <cstring>
 #include <fstream>
+#include <iostream>
+#include <random>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -122,6 +124,32 @@ TEST(BagFile, ThatWasCutOffIsNotRead) {
     std::filesystem::resize_file(folder / "in.bag", size);
     EXPECT_THROW(convert_bag(folder / "in.bag", folder / "out.lcmlog", {}), NotARecording);
   }
+}
+
+/// rosbag_storage crashes on some of these.
+TEST(BagFile, ThatIsDamagedEndsNothing) {
+  const TemporaryFolder folder;
+  write_bag(folder / "in.bag", rosbag::compression::Uncompressed);
+  std::ostringstream whole;
+  whole << std::ifstream(folder / "in.bag", std::ios::binary).rdbuf();
+  std::mt19937 random(5);
+  int converted = 0;
+  int cut_short = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::string bytes = whole.str();
+    for (int j = 0; j < 20; ++j)
+      bytes[4200 + random() % (bytes.size() - 4200)] = static_cast<char>(random());
+    std::ofstream(folder / "damaged.bag", std::ios::binary) << bytes;
+    try {
+      const auto summary = convert_bag(folder / "damaged.bag", folder / "out.lcmlog", {});
+      ++converted;
+      cut_short += static_cast<int>(summary.dropped.contains(drop_reason::damaged));
+    } catch (const NotARecording& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("damaged.bag"));
+    }
+  }
+  EXPECT_GT(converted, 0);
+  std::cout << converted << " converted, " << cut_short << " of them in part\n";
 }
 
 TEST(BagFile, IsKnownByItsFirstWords) {
