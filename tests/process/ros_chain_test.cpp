@@ -12,7 +12,7 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/channels.hpp"
 #include "common/geometry/segment.hpp"
-#include "tests/process/harness.hpp"
+#include "tests/process/ros_fixture.hpp"
 
 namespace perceptor::test {
 namespace {
@@ -80,14 +80,10 @@ bool are_same(const pico::map_t& one, const pico::map_t& other) {
   return true;
 }
 
-class RosChain : public testing::Test {
+class RosChain : public RosFixture {
  protected:
   void SetUp() override {
-    if (run({"which", "rosmaster"}).exit_code != 0)
-      GTEST_SKIP() << "rosmaster is not installed (python3-rosmaster)";
-    setenv("ROS_HOME", (scratch_ / "ros").c_str(), 1);
-    setenv("ROS_IP", "127.0.0.1", 1);
-    unsetenv("ROS_MASTER_URI");
+    RosFixture::SetUp();
     setenv("PERCEPTOR_PRIVATE_BUS", "1", 1);  // built already, and on a bus of our own
     setenv("PERCEPTOR_BIN", program(".").c_str(), 1);
   }
@@ -100,11 +96,8 @@ class RosChain : public testing::Test {
 
   /// The maps, of the robot that measures what the simulator of pico-bridge would.
   Maps on_the_robot() {
-    const Process master({"rosmaster", "--core"}, scratch_ / "master.log");
-    const Process robot(
-        {program("fake_pico"), "--world", source("config/worlds/hospital.json"), "--model", "ours",
-         "--miss", "infinity", "--wait", "--journal", scratch_ / "journal"},
-        scratch_ / "robot.log");
+    start_master();
+    start_robot({"--model", "ours", "--miss", "infinity", "--wait"});
     const Finished finished =
         run_chain({"--source", "ros", "--map", "hospital"}, scratch_ / "ros.lcmlog");
     said_ = finished.output;
@@ -118,7 +111,6 @@ class RosChain : public testing::Test {
     return identified_maps(scratch_ / "sim.lcmlog", 0);
   }
 
-  ScratchFolder scratch_;
   std::string said_;
 };
 

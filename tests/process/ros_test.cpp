@@ -22,7 +22,7 @@
 #include "common/bus/channels.hpp"
 #include "common/messages/convert.hpp"
 #include "tests/process/fake_pico/measurements.hpp"
-#include "tests/process/harness.hpp"
+#include "tests/process/ros_fixture.hpp"
 
 namespace perceptor::test {
 namespace {
@@ -83,30 +83,15 @@ class Journal {
   }
 };
 
-/// A master and a robot to start and to kill, and what the bridge publishes.
-class RosTest : public testing::Test {
+/// The bridge as well, and what it publishes.
+class RosTest : public RosFixture {
  protected:
   void SetUp() override {
-    if (run({"which", "rosmaster"}).exit_code != 0)
-      GTEST_SKIP() << "rosmaster is not installed (python3-rosmaster)";
-    setenv("ROS_HOME", (scratch_ / "ros").c_str(), 1);
-    setenv("ROS_IP", "127.0.0.1", 1);
-    unsetenv("ROS_MASTER_URI");
+    RosFixture::SetUp();
     listen<pico::laser_scan_t>(channel::laser, scans_);
     listen<pico::odometry_t>(channel::odometry, odometries_);
   }
 
-  void start_master() {
-    master_ = std::make_unique<Process>(std::vector<std::string>{"rosmaster", "--core"},
-                                        scratch_ / "master.log");
-  }
-  void start_robot(const std::vector<std::string>& options = {}) {
-    std::vector<std::string> command{program("fake_pico"), "--world",
-                                     source("config/worlds/hospital.json"), "--journal",
-                                     scratch_ / "journal"};
-    command.insert(command.end(), options.begin(), options.end());
-    robot_ = std::make_unique<Process>(command, scratch_ / "robot.log");
-  }
   void start_bridge() {
     bridge_ = std::make_unique<Process>(
         std::vector<std::string>{program("pico-bridge"), "--source", "ros"},
@@ -117,13 +102,6 @@ class RosTest : public testing::Test {
     start_robot(robot);
     start_bridge();
     ASSERT_TRUE(data_comes(Seconds(10))) << said_by_bridge();
-  }
-
-  /// SIGKILL, and gone.
-  static void kill(std::unique_ptr<Process>& process) {
-    process->signal(SIGKILL);
-    process->wait(Seconds(5));
-    process.reset();
   }
 
   /// Takes what comes for so long.
@@ -166,10 +144,7 @@ class RosTest : public testing::Test {
     }
   }
 
-  ScratchFolder scratch_;
   StatusListener status_;
-  std::unique_ptr<Process> master_;
-  std::unique_ptr<Process> robot_;
   std::unique_ptr<Process> bridge_;
   std::vector<pico::laser_scan_t> scans_;
   std::vector<pico::odometry_t> odometries_;
