@@ -56,6 +56,7 @@ struct Serializer<perceptor::test::BrokenScan> {
     for (std::uint32_t i = 0; i < kNumbers; ++i) stream.next(0.5F);
     stream.next(std::uint32_t{1} << 30U);
   }
+  // NOLINTNEXTLINE(readability-identifier-naming): roscpp asks for this name
   static std::uint32_t serializedLength(const perceptor::test::BrokenScan&) {
     return serializationLength(std_msgs::Header()) + 4 * kNumbers + 4;
   }

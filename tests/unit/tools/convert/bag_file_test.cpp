@@ -51,6 +51,7 @@ struct Serializer<BagRecord> {
     std::memcpy(stream.advance(static_cast<std::uint32_t>(record.bytes.size())),
                 record.bytes.data(), record.bytes.size());
   }
+  // NOLINTNEXTLINE(readability-identifier-naming): roscpp asks for this name
   static std::uint32_t serializedLength(const BagRecord& record) {
     return static_cast<std::uint32_t>(record.bytes.size());
   }
