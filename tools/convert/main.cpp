@@ -21,9 +21,8 @@ constexpr int kExitNothing = 1;
 constexpr const char* kSummary =
     "Converts a recording to an LCM event log with PICO_LASER and PICO_ODOMETRY.\n"
     "Reads the text logs of this project (ODOM, LASER, LASERA lines), CARMEN logs (ODOM, FLASER,\n"
-    "ROBOTLASER1) and ROS bags (LaserScan, Odometry). Says on stderr what was written and what "
-    "was\n"
-    "dropped.";
+    "ROBOTLASER1) and ROS bags (LaserScan, Odometry). Says on stderr what was written and what\n"
+    "was dropped.";
 
 constexpr const char* kExamples =
     "Examples:\n"
