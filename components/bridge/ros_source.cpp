@@ -95,9 +95,11 @@ void RosSource::publish(Feed& feed, ros1::Bytes bytes, const auto& convert) {
   if (const auto fault = messages::validate(message); !fault.empty())
     return bus_.reject(feed.topic, fault);
   const Stamp stamp_in_ros{header.utime, session_, header.seq};
-  if (const auto fault = order_fault(feed.watch.check(stamp_in_ros)); !fault.empty())
+  const Continuity continuity = feed.watch.check(stamp_in_ros);
+  bus_.status().watched(feed.topic, feed.watch);
+  if (const auto fault = order_fault(continuity); !fault.empty())
     return bus_.reject(feed.topic, fault);
-  bus_.status().accepted(feed.topic, stamp_in_ros, feed.watch);
+  bus_.status().accepted(feed.topic, stamp_in_ros);
   robot_clock_.saw(header.utime, now_);
   ++feed.published;
   bus_.publish(feed.channel, message);
