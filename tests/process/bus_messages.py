@@ -39,8 +39,8 @@ def stamp_of(payload):
 
 def generated_types(folder):
     """The package `pico` as lcm-gen makes it for Python."""
-    subprocess.run(["lcm-gen", "-p", "--ppath", str(folder), *map(str, sorted(TYPES.glob("*.lcm")))],
-                   check=True)
+    files = map(str, sorted(TYPES.glob("*.lcm")))
+    subprocess.run(["lcm-gen", "-p", "--ppath", str(folder), *files], check=True)
     sys.path.insert(0, str(folder))
     return importlib.import_module("pico")
 

@@ -24,9 +24,11 @@ class Record:
     def __init__(self):
         self.sent = []  # of Sent
         self.statuses = []  # (time, payload)
+        self.payloads = {}  # channel -> the last one
 
     def take(self, machine, message, fates):
         now, (channel, payload) = time.monotonic(), message
+        self.payloads[channel] = payload
         self.sent.append(Sent(now, machine, channel, bus_messages.stamp_of(payload), fates))
         if channel.startswith("STATUS_"):
             self.statuses.append((now, payload))
@@ -41,7 +43,6 @@ class Listener(Record):
             self.socket = listening_socket()
         if let_through:
             let_through(self.socket)
-        self.payloads = {}  # channel -> the last one
         self.stopping = False
         self.thread = threading.Thread(target=self._run, daemon=True)
 
@@ -59,5 +60,4 @@ class Listener(Record):
                 continue
             message = bus_messages.parse(self.socket.recv(65536))
             if message:
-                self.payloads[message[0]] = message[1]
                 self.take("", message, {})

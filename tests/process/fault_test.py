@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Faults of the bus and of the machine: what STATUS says, how long until all goes on, what was lost.
+"""Faults of the bus and of the machine: what STATUS says, how long until all goes on, what is lost.
 
     tests/process/private_bus tests/process/fault_test.py --bin build/release/bin --seconds 10
 
@@ -30,17 +30,20 @@ import bus_messages
 import bus_record
 import faulty_switch
 import loss_accounts
-from live_processes import COMPONENTS, ENVIRONMENT, Processes, wait_for
+from live_processes import COMPONENTS, Processes, wait_for
 from loss_accounts import Said
 from machines import Machine
 
+ALL = ["bridge", *COMPONENTS, "record"]  # in the order of the data flow
 BUS = "udpm://239.255.76.67:7667?ttl=1"  # LCM's default stays on one machine
 LIMIT = 1.0  # [s] from a fault's end until every channel is back
-AFTER = 2.5  # [s] that are watched from a fault's end
+AFTER = 2.0  # [s] that are watched from a fault's end
 WINDOW = 0.5  # [s] in which a rate is normal or not
 SHARE = 0.8  # of the usual messages in a window: it is normal
 SLOWEST = 4.0  # [Hz] slower channels have no rate in such a window
 FLOOD = 20  # times the normal rate
+ROW = "{:<32} {:>8} {:>8} {:>13} {:>11} {:>8} {:>8} {:>8}  {}"
+LOG_ROW = "{:<20} {:>6} {:>7} {:>8} {:>8} {:>9}"
 SECOND = 1_000_000_000  # [ns]
 SILENT = 1.5  # [s] without a STATUS, of which one comes each second
 
@@ -60,6 +63,7 @@ class Chain:
         self.log = folder / "faults.lcmlog"
         self.processes = Processes(folder)
         self.running = {}
+        self.was_unplugged = False
         self.boots = {}  # of ours: a second one of the same name is a stranger
         self.decoded = []  # as many of the record's STATUS messages as were looked at
         self.environment = {"LCM_DEFAULT_URL": BUS, **self.clock()}
@@ -67,7 +71,7 @@ class Chain:
     @classmethod
     def on_a_switch(cls, folder):
         switch, machines = faulty_switch.Switch(), {}
-        for name in ("bridge", *COMPONENTS, "recorder", "stranger"):
+        for name in (*ALL, "stranger"):
             machines[name] = Machine(name)
             switch.connect(machines[name])
         return cls(folder, switch, machines)
@@ -99,26 +103,23 @@ class Chain:
     def start(self):
         """The robot last: nobody misses anything. Gives the usual rates."""
         self.record.start()
-        self.start_one("recorder", ["lcm-logger", "-q", "-f", "-v", "-c", "LCM_SELF_TEST", self.log])
-        wait = [options.bin / "pico-watch", "--wait-log", self.log]
-        subprocess.run(self.machines["stranger"].command(wait), check=True,
-                       env={**ENVIRONMENT, **self.environment})
+        self.start_one("record", [options.bin / "pico-record", "--file", self.log, "--existing",
+                                  "replace"])
+        wait_for(lambda: "record" in self.said_since(0.0), 20, "the recorder is ready")
         for name in COMPONENTS:
             map_option = ["--map", "hospital"] if name in ("globalmap", "localize") else []
             self.start_one(name, [options.bin / f"pico-{name}", *map_option])
         wait_for(lambda: set(COMPONENTS) <= set(self.said_since(0.0)), 20, "all are ready")
         self.start_one("bridge", [options.bin / "pico-bridge"])
-        time.sleep(2.0)
+        time.sleep(1.5)
         began = time.monotonic()
-        time.sleep(3.0)
+        time.sleep(2.0)
         return self.rates(began, time.monotonic())
 
     def stop(self):
         """In the order of the data flow, so that what is under way drains."""
-        for name in ("bridge", *COMPONENTS):
+        for name in ALL:
             self.processes.stop(self.running[name])
-        time.sleep(0.5)
-        self.processes.stop(self.running["recorder"])
         self.record.stop()
 
     def statuses(self):
@@ -138,9 +139,14 @@ class Chain:
         return {said.status.component: said for said in reversed(self.own_statuses(began))}
 
     def wait_for_all(self, began):
-        names = {"bridge", *COMPONENTS}
-        wait_for(lambda: names <= set(self.said_since(began)), 10, "a STATUS of each")
+        wait_for(lambda: set(ALL) <= set(self.said_since(began)), 10, "a STATUS of each")
         return self.said_since(began)
+
+    def place(self):
+        """Whether the robot knows where it is."""
+        kind = TYPES.world_position_t
+        names = {kind.SEARCHING: "searching", kind.TRACKING: "tracking", kind.LOST: "lost"}
+        return names[kind.decode(self.record.payloads["WORLD_POSITION"]).state]
 
     def rates(self, began, ended):
         """[Hz] of the channels that have one."""
@@ -201,6 +207,7 @@ def stuttering(chain, length, period):
 @contextlib.contextmanager
 def unplugged(chain):
     """Nobody has a link, or a route for multicast."""
+    chain.was_unplugged = True
     for machine in chain.machines.values():
         chain.record.pull(machine)
     try:
@@ -240,7 +247,8 @@ def faults(seconds, victims):
              ("lines stall 200 ms each 1 s", faulty_switch.stalls(0.2, 1.0))]
     for name, fate in lines:
         yield Fault(name, lambda chain, fate=fate: on_the_lines(chain, fate), seconds)
-    yield Fault("processes stall 200 ms in turn", lambda chain: stuttering(chain, 0.2, 0.2), seconds)
+    yield Fault("processes stall 200 ms in turn", lambda chain: stuttering(chain, 0.2, 0.2),
+                seconds)
     for name, ahead in (("clock 1 h forward", 3600.0), ("clock 1 h back", 0.0),
                         ("clock 1.5 s back", -1.5)):
         yield Fault(name, lambda chain, ahead=ahead: clock_ahead(chain, ahead), 0.5)
@@ -256,7 +264,7 @@ def floods(seconds):
 
 
 def back_after(sent, rates, ended):
-    """[s] from the fault's end until each channel has its rate for good; the slowest, and its name."""
+    """[s] from the fault's end until each channel has its rate for good; the slowest, its name."""
     times = collections.defaultdict(list)
     for message in sent:
         if ended <= message.time < ended + AFTER and message.machine != "stranger":
@@ -276,7 +284,7 @@ def counted(then, now):
     old, reasons = bus_messages.inputs(then), bus_messages.rejects(then)
     for channel, entry in bus_messages.inputs(now).items():
         for field in ("missed", "restarts"):
-            grown = getattr(entry, field) - getattr(old[channel], field)
+            grown = getattr(entry, field) - getattr(old.get(channel), field, 0)
             if grown:
                 yield f"{channel} {field} {grown}"
     for (channel, reason), count in bus_messages.rejects(now).items():
@@ -303,7 +311,7 @@ def said_on_the_way(stream):
 def quotation(before, stream, after):
     """What a user sees in STATUS, in the order of the data flow; what all say, once."""
     who = collections.defaultdict(list)
-    for name in ("bridge", *COMPONENTS):
+    for name in ALL:
         own = [said for said in stream if said.status.component == name]
         lines = [*counted(before[name].status, after[name].status), *said_on_the_way(own)]
         for line in dict.fromkeys(lines):
@@ -317,22 +325,26 @@ class Report:
 
     def __init__(self):
         self.failures = []
-        print(f"{'fault':<32} {'back [s]':>8}  {'lost on':>8} {'numbers that':>13} {'dropped at':>11}"
-              f" {'STATUS:':>8} {'':>8} {'':>8}\n{'':<32} {'':>8}  {'the way':>8} {'never came':>13}"
-              f" {'the machine':>11} {'missed':>8} {'rejected':>8} {'restarts':>8}", flush=True)
+        print(ROW.format("fault", "back [s]", "lost on", "numbers that", "dropped at", "STATUS:",
+                         "", "", ""))
+        print(ROW.format("", "", "the way", "never came", "the machine", "missed", "rejected",
+                         "restarts", "place"), flush=True)
 
-    def add(self, fault, back, channel, accounts, words):
+    def add(self, fault, back, channel, accounts, words, place):
         total = sum((account for inputs in accounts.values() for account in inputs.values()),
                     loss_accounts.Account())
-        print(f"{fault.name:<32} {back:8.2f}  {total.lost:8} {total.not_arrived:13} "
-              f"{total.dropped:11} {total.missed:8} {total.rejected:8} {total.restarts:8}")
+        print(ROW.format(fault.name, f"{back:.2f}", total.lost, total.not_arrived, total.dropped,
+                         total.missed, total.rejected, total.restarts, place))
         for line in words:
             print("      ", line)
         for name, inputs in accounts.items():
             for channel, account in inputs.items():
                 if account.is_right and account.untold:
-                    print(f"       {name}: {channel}: not told: the last {account.untold} of a session, "
-                          "dropped by a full queue")
+                    print(f"       {name}: {channel}: the last {account.untold} of a session are "
+                          "told by nobody: dropped from a full queue")
+        began_anew = accounts["localize"]["PICO_LASER"].restarts > 0
+        if place != "tracking" and not began_anew:
+            self.fail(f"{fault.name}: the robot no longer knows where it is")
         if back > LIMIT:
             self.fail(f"{fault.name}: {channel} was back only after {back:.2f} s")
         for name, inputs in accounts.items():
@@ -349,7 +361,9 @@ class Report:
 def suffer(chain, fault, rates, before, report):
     """One fault, from before it to after it; gives the STATUS of all after it."""
     with fault.during(chain):
+        begun = time.monotonic()
         time.sleep(fault.seconds)
+        during = chain.rates(begun, time.monotonic())
     ended = time.monotonic()
     time.sleep(AFTER)
     after = chain.wait_for_all(time.monotonic())
@@ -358,26 +372,30 @@ def suffer(chain, fault, rates, before, report):
     accounts = {name: loss_accounts.settle(sent, name, before[name], after[name])
                 for name in after}
     report.add(fault, *back_after(sent, rates, ended), accounts,
-               quotation(before, chain.own_statuses(began), after))
+               quotation(before, chain.own_statuses(began), after), chain.place())
+    times = during.get("PICO_LASER", 0.0) / rates["PICO_LASER"]
+    if times > 2.5:
+        print(f"       PICO_LASER came at {times:.0f} times its usual rate")
     return after
 
 
 def suffer_all(chain, faults_in_turn, report):
     try:
         rates = chain.start()
+        print("Usual rates [Hz]:", ", ".join(f"{channel} {rate:.1f}"
+                                             for channel, rate in sorted(rates.items())))
         before = chain.wait_for_all(time.monotonic())
         for fault in faults_in_turn:
             if re.search(options.only, fault.name):
                 before = suffer(chain, fault, rates, before, report)
         chain.stop()
-        check_publishers(chain, report)
-        check_log(chain, report)
+        check_log(chain, report, published_unheard(chain, report))
     finally:
         chain.processes.stop_all()
 
 
-def check_publishers(chain, report):
-    """All say that they published what was heard."""
+def published_unheard(chain, report):
+    """By channel, what was published and not heard: a link that goes takes what waits for it."""
     heard = collections.Counter(message.channel for message in chain.record.sent)
     last_words = {(said.status.component, said.status.boot): said.status
                   for said in chain.statuses()}
@@ -385,9 +403,12 @@ def check_publishers(chain, report):
     for status in last_words.values():
         for channel, entry in bus_messages.outputs(status).items():
             published[channel] += entry.published
-    for channel, count in published.items():
-        if heard[channel] != count:
-            report.fail(f"{count} were published on {channel}, {heard[channel]} were heard")
+    unheard = collections.Counter({channel: count - heard[channel]
+                                   for channel, count in published.items()})
+    for channel, count in unheard.items():
+        if count < 0 or (count > 0 and not chain.was_unplugged):
+            report.fail(f"{channel}: of what was published {count} were not heard")
+    return unheard
 
 
 def is_source(channel):
@@ -395,22 +416,22 @@ def is_source(channel):
     return channel.startswith(("PICO_", "SIM_", "STATUS_"))
 
 
-def check_log(chain, report):
-    """What the log lacks, as logcheck counts it, is what was sent and is not in it; of a source also
-    the numbers that could not be sent."""
+def check_log(chain, report, unheard):
+    """What the log lacks, as logcheck counts it, is what was sent and is not in it, and what could
+    not be sent: of a source the numbers that it gave."""
     sent, arrived, kept = (collections.defaultdict(set) for _ in range(3))
     numbers = collections.defaultdict(dict)
     for message in chain.record.sent:
         sent[message.channel].add(message.stamp)
         numbers[message.channel][message.stamp.session] = message.stamp.seq + 1
-        if message.fates.get("recorder") != faulty_switch.LOST:
+        if message.fates.get("record") != faulty_switch.LOST:
             arrived[message.channel].add(message.stamp)
     for channel, payload in bus_messages.events(chain.log):
         kept[channel].add(bus_messages.stamp_of(payload))
     check = subprocess.run([options.bin / "pico-logcheck", "--json", chain.log],
                            capture_output=True, text=True, check=False)
-    print(f"\n{'recorded':<20} {'sent':>6} {'could':>7} {'lost on':>8} {'not in':>8} {'logcheck:':>9}\n"
-          f"{'':<20} {'':>6} {'not be':>7} {'the way':>8} {'the log':>8} {'missing':>9}")
+    print("\n" + LOG_ROW.format("recorded", "sent", "could", "lost on", "not in", "logcheck:"))
+    print(LOG_ROW.format("", "", "not be", "the way", "the log", "missing"))
     wrong, unrecorded = [], 0
     for said in json.loads(check.stdout)["channels"]:
         channel, missing = said["channel"], said["missing"]
@@ -418,8 +439,10 @@ def check_log(chain, report):
             continue
         lost = len(sent[channel]) - len(arrived[channel])
         absent = len(sent[channel] - kept[channel])
-        unsent = sum(numbers[channel].values()) - len(sent[channel]) if is_source(channel) else 0
-        print(f"{channel:<20} {len(sent[channel]):6} {unsent:7} {lost:8} {absent:8} {missing:9}")
+        unsent = unheard[channel]
+        if is_source(channel):
+            unsent = sum(numbers[channel].values()) - len(sent[channel])
+        print(LOG_ROW.format(channel, len(sent[channel]), unsent, lost, absent, missing))
         wrong += [channel] if missing != absent + unsent else []
         unrecorded += absent - lost
     if wrong:
@@ -429,8 +452,9 @@ def check_log(chain, report):
 
 
 def main():
+    chain = Chain.on_a_switch(options.out)
     report = Report()
-    suffer_all(Chain.on_a_switch(options.out), faults(options.seconds, options.stop), report)
+    suffer_all(chain, faults(options.seconds, options.stop), report)
     suffer_all(Chain.on_one_machine(options.out), floods(options.seconds), report)
     for failure in report.failures:
         print("FAILED:", failure)
@@ -442,7 +466,7 @@ if __name__ == "__main__":
     parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
     parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
     parser.add_argument("--seconds", type=float, default=2.0, help="that a fault lasts")
-    parser.add_argument("--stop", default="bridge,scan,localize,recorder",
+    parser.add_argument("--stop", default="bridge,scan,localize,record",
                         help="processes that are stopped for two seconds")
     parser.add_argument("--only", default="", help="faults whose name matches this expression")
     options = parser.parse_args()

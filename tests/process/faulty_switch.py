@@ -1,8 +1,9 @@
 """A switch between machines that loses, repeats and delays what it is told to, and remembers.
 
-Each machine's only cable ends in this process (a tun device). What a program sends is copied to all
-other machines: so every pair of programs has a line of its own that can be bad, and what was sent and
-what arrived is known exactly, which a queueing discipline of the kernel (netem) does not tell.
+Each machine's only cable ends in this process (a tun device). What a program sends is copied to
+all other machines: so every pair of programs has a line of its own that can be bad, and what was
+sent and what arrived is known exactly, which a queueing discipline of the kernel (netem) does not
+tell.
 """
 
 import errno

@@ -21,7 +21,7 @@ class Said(typing.NamedTuple):
 class Account:
     """Of one input of one component, or the sum of several."""
     lost: int = 0  # messages that the line to the component lost
-    not_arrived: int = 0  # numbers that never came: lost, or not made for want of what was lost before
+    not_arrived: int = 0  # numbers that never came: lost, or never made for want of what was lost
     dropped: int = 0  # messages that arrived at the machine and did not get to the program
     missed: int = 0  # numbers that never came, as STATUS says
     rejected: int = 0  # messages that STATUS says were turned down
@@ -55,9 +55,9 @@ def arrivals(sent, machine):
 
 
 def stretch(arrived, before, after, channel):
-    """What came behind the last message of one STATUS, up to the last of another; and that of the one."""
+    """What came behind the last message of one STATUS, up to that of another; and the one's."""
     def place(said):
-        utime = bus_messages.inputs(said.status)[channel].last_utime
+        utime = getattr(bus_messages.inputs(said.status).get(channel), "last_utime", None)
         for index in range(len(arrived) - 1, -1, -1):
             time, stamp = arrived[index]
             if stamp.utime == utime and time <= said.time:
@@ -97,7 +97,7 @@ def settle(sent, machine, before, after):
         if channel not in now:
             continue
         between, last_before = stretch(arrived, before, after, channel)
-        grown = {name: getattr(now[channel], name) - getattr(then[channel], name)
+        grown = {name: getattr(now[channel], name) - getattr(then.get(channel), name, 0)
                  for name in ("received", "rejected", "missed", "restarts")}
         lost = sum(message.channel == channel and message.fates.get(machine) == ()
                    and before.time < message.time < after.time for message in sent)

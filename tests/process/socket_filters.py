@@ -1,4 +1,4 @@
-"""Kernel filters (classic BPF) on a test's own sockets: they count, or keep out, without being read."""
+"""Kernel filters (classic BPF) on a test's own sockets: they count, or keep out, unread."""
 
 import ctypes
 import socket

@@ -1,6 +1,6 @@
-/* A wall clock that a test can set, for the programs that it starts with this preloaded: all that they
- * and LCM read of the wall clock through the C library is ahead by the number of nanoseconds in the
- * file $STEPPED_CLOCK. Not covered: the kernel's own stamps (LCM's receive time, files). */
+/* A wall clock that a test can set, for the programs that it starts with this preloaded: all that
+ * they and LCM read of it through the C library is ahead by the number of nanoseconds in the file
+ * $STEPPED_CLOCK. Not covered: the kernel's own stamps (LCM's receive time, files). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>

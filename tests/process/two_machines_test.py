@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """The robot on one machine, everything else on another: the same outputs as on one machine.
 
-    tests/process/private_bus tests/process/two_machines_test.py --bin build/release/bin --seconds 30
+    tests/process/private_bus tests/process/two_machines_test.py --bin build/release/bin
 
-Two network namespaces, joined by a cable with the MTU of Ethernet, so that a scan travels in several
-IP fragments; LCM with ttl=1. The same simulated drive is recorded there and on one machine, and all
-that was computed is compared byte for byte. A recording that is shown to lack messages proves nothing
-and is made again.
+Two network namespaces, joined by a cable with the MTU of Ethernet, so that a scan travels in
+several IP fragments; LCM with ttl=1. The same simulated drive is recorded there and on one machine,
+and all that was computed is compared byte for byte. A recording that is shown to lack messages
+proves nothing and is made again.
 
 Skipped (exit code 77) where no namespaces or cables between them can be had.
 """
@@ -18,7 +18,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
 import bus_messages
 from live_processes import COMPONENTS, ENVIRONMENT, Processes
@@ -28,6 +27,7 @@ ALIKE = ["PICO_ODOMETRY", "PICO_LASER", "POSITION", "PROXIMITY", "CURRENT_MAP", 
          "IDENTIFIED_MAP", "ENTRANCE", "WORLD_POSITION", "COMBINED_MAP"]
 BUS = "udpm://239.255.76.67:7667?ttl=1"
 ATTEMPTS = 3
+ROW = "{:<16} {:>8} {:>8} {:>12} {:>9} {:>8}"
 MISSING = 1  # exit code of pico-logcheck
 
 
@@ -36,28 +36,25 @@ def drive(robot, rest, log):
     environment = {"LCM_DEFAULT_URL": BUS}
     processes = Processes(options.out)
 
-    def watch(*arguments):
-        command = rest.command([options.bin / "pico-watch", *arguments])
+    def wait(*names):
+        command = rest.command([options.bin / "pico-watch", "--wait", ",".join(names)])
         subprocess.run(command, check=True, env={**ENVIRONMENT, **environment})
 
-    log.unlink(missing_ok=True)
     try:
-        recorder = processes.start(["lcm-logger", "-q", "-f", "-v", "-c", "LCM_SELF_TEST", log],
-                                   environment, rest)
-        watch("--wait-log", log)
+        recorder = processes.start([options.bin / "pico-record", "--file", log, "--existing",
+                                    "replace"], environment, rest)
+        wait("record")
         components = []
         for name in COMPONENTS:
             map_option = ["--map", "hospital"] if name in ("globalmap", "localize") else []
             components.append(processes.start([options.bin / f"pico-{name}", *map_option],
                                               environment, rest))
-        watch("--wait", ",".join(COMPONENTS))
-        bridge = processes.start([options.bin / "pico-bridge", "--duration", options.seconds, "--set",
-                                  "session=1", "--set", "seed=7"], environment, robot)
+        wait(*COMPONENTS)
+        bridge = processes.start([options.bin / "pico-bridge", "--duration", options.seconds,
+                                  "--set", "session=1", "--set", "seed=7"], environment, robot)
         bridge.wait(options.seconds + 30)
-        for component in components:
+        for component in (*components, recorder):
             processes.stop(component)
-        time.sleep(0.5)
-        processes.stop(recorder)
     finally:
         processes.stop_all()
     check = subprocess.run([options.bin / "pico-logcheck", log], capture_output=True, text=True,
@@ -83,12 +80,12 @@ def recorded(name, robot, rest):
 
 def compare(channel, one, two):
     """A line of the table; whether they are the same."""
-    numbers = [{bus_messages.stamp_of(payload).seq for payload in payloads} for payloads in (one, two)]
+    numbers = [{bus_messages.stamp_of(payload).seq for payload in both} for both in (one, two)]
     differ = sum(a != b for a, b in zip(one, two))
     alike = one == two and len(one) > 0
     largest = max(map(len, one), default=0)
-    print(f"{channel:<16} {len(one):8} {len(two):8} {len(numbers[0] ^ numbers[1]):12} {differ:9} "
-          f"{largest:8}   {'alike' if alike else 'DIFFERENT'}", flush=True)
+    row = ROW.format(channel, len(one), len(two), len(numbers[0] ^ numbers[1]), differ, largest)
+    print(row, " alike" if alike else " DIFFERENT", flush=True)
     return alike
 
 
@@ -99,12 +96,12 @@ def main():
     join(robot, rest)
     one = recorded("one_machine", alone, alone)
     two = recorded("two_machines", robot, rest)
-    print(f"{'channel':<16} {'one':>8} {'two':>8} {'only in one':>12} {'different':>9} {'largest':>8}\n"
-          f"{'':<16} {'machine':>8} {'machines':>8} {'of them':>12} {'payloads':>9} {'[bytes]':>8}")
+    print(ROW.format("channel", "one", "two", "only in one", "different", "largest"))
+    print(ROW.format("", "machine", "machines", "of them", "payloads", "[bytes]"))
     alike = [compare(channel, one[channel], two[channel]) for channel in ALIKE]
     fragments = rest.count_fragments()
     print(f"IP fragments: {robot.count_fragments()['FragCreates']} made at the robot; at the rest "
-          f"{fragments['ReasmOKs']} datagrams were put together, {fragments['ReasmFails']} given up")
+          f"{fragments['ReasmOKs']} datagrams put together, {fragments['ReasmFails']} not")
     return 0 if all(alike) else 1
 
 
