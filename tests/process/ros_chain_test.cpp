@@ -1,6 +1,7 @@
 /// The whole chain, by tools/run, on a robot that speaks ROS 1: what it finds of a world is what it
 /// finds on the simulator.
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -41,7 +42,7 @@ Maps identified_maps(const fs::path& log, std::int64_t base) {
 }
 
 /// What is compared: lines by their two ends, corners by their place twice.
-std::vector<Segment> lines_of(const pico::map_t& map, int type) {
+std::vector<Segment> lines_of(const pico::map_t& map, std::int8_t type) {
   std::vector<Segment> lines;
   for (const pico::map_object_t& object : map.objects) {
     if (object.type != type) continue;
@@ -51,7 +52,7 @@ std::vector<Segment> lines_of(const pico::map_t& map, int type) {
   }
   return lines;
 }
-std::vector<Segment> corners_of(const pico::map_t& map, int property) {
+std::vector<Segment> corners_of(const pico::map_t& map, std::int8_t property) {
   std::vector<Segment> corners;
   for (const pico::map_point_t& point : map.points)
     if (point.property == property) corners.push_back({{point.x, point.y}, {point.x, point.y}});
@@ -72,12 +73,16 @@ bool are_same(const std::vector<Segment>& ones, const std::vector<Segment>& othe
 }
 
 bool are_same(const pico::map_t& one, const pico::map_t& other) {
-  for (const int type :
-       {pico::map_object_t::WALL, pico::map_object_t::DOOR, pico::map_object_t::POSSIBLE_DOOR})
-    if (!are_same(lines_of(one, type), lines_of(other, type))) return false;
-  for (const int property : {pico::map_point_t::CONVEX, pico::map_point_t::CONCAVE})
-    if (!are_same(corners_of(one, property), corners_of(other, property))) return false;
-  return true;
+  constexpr std::array types{pico::map_object_t::WALL, pico::map_object_t::DOOR,
+                             pico::map_object_t::POSSIBLE_DOOR};
+  constexpr std::array properties{pico::map_point_t::CONVEX, pico::map_point_t::CONCAVE};
+  return std::ranges::all_of(types,
+                             [&](std::int8_t type) {
+                               return are_same(lines_of(one, type), lines_of(other, type));
+                             }) &&
+         std::ranges::all_of(properties, [&](std::int8_t property) {
+           return are_same(corners_of(one, property), corners_of(other, property));
+         });
 }
 
 class RosChain : public RosFixture {
@@ -88,7 +93,7 @@ class RosChain : public RosFixture {
     setenv("PERCEPTOR_BIN", program(".").c_str(), 1);
   }
 
-  Finished run_chain(const std::vector<std::string>& options, const fs::path& log) const {
+  static Finished run_chain(const std::vector<std::string>& options, const fs::path& log) {
     std::vector<std::string> command{source("tools/run"), "--duration", kSeconds, "--record", log};
     command.insert(command.end(), options.begin(), options.end());
     return run(command, Seconds(90));

@@ -126,7 +126,7 @@ class ReadingProcess {
 
 }  // namespace
 
-BagFile open_bag(const std::filesystem::path& file, IsWanted is_wanted) {
+BagFile open_bag(const std::filesystem::path& file, const IsWanted& is_wanted) {
   const auto reading = std::make_shared<ReadingProcess>(file.string(), is_wanted);
   std::string fault = "rosbag_storage crashed on it";
   std::string count;

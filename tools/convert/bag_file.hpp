@@ -31,6 +31,6 @@ bool is_bag(const std::filesystem::path& file);
 /// Only of topics that are wanted the bytes are read. Throws NotARecording: damaged, without an
 /// index, or in a build without rosbag_storage.
 BagFile open_bag(const std::filesystem::path& file,
-                 std::function<bool(std::string_view topic)> is_wanted);
+                 const std::function<bool(std::string_view topic)>& is_wanted);
 
 }  // namespace perceptor

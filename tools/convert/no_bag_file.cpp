@@ -4,7 +4,7 @@
 
 namespace perceptor {
 
-BagFile open_bag(const std::filesystem::path& file, std::function<bool(std::string_view)>) {
+BagFile open_bag(const std::filesystem::path& file, const std::function<bool(std::string_view)>&) {
   throw NotARecording(file.string() +
                       " is a ROS bag, and this pico-convert was built without rosbag_storage. As "
                       "root, or with sudo:\n  apt install librosbag-storage-dev\nthen configure "
