@@ -63,7 +63,7 @@ void Bus::subscribe_bytes(const std::string& channel, std::function<std::string_
 void Bus::receive(const std::string& channel, const lcm_recv_buf_t& buffer,
                   const std::function<std::string_view(Bytes)>& take) {
   status_.received(channel);
-  if (buffer.data_size > kMaxPayload) return reject(channel, "too large");
+  if (buffer.data_size > kMaxReceived) return reject(channel, "too large");
   // An exception that leaves a handler makes the next lcm_handle abort the process.
   try {
     const Bytes bytes(static_cast<const std::uint8_t*>(buffer.data), buffer.data_size);

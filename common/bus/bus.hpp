@@ -26,6 +26,10 @@ namespace perceptor {
 /// A payload of this size still fits one datagram, so that LCM never needs fragments [bytes].
 inline constexpr std::size_t kMaxPayload = 60'000;
 
+/// Nothing larger is looked at, whoever sent it, over whatever bus [bytes]. Of a message whose
+/// channel's name has no end liblcm 1.3.1 says that it has 4 GB.
+inline constexpr std::size_t kMaxReceived = std::size_t{16} * 1024 * 1024;
+
 class Bus {
  public:
   using Bytes = std::span<const std::uint8_t>;

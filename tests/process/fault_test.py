@@ -12,7 +12,6 @@ within a second of the fault's end.
 Skipped (exit code 77) where no namespaces or tun devices can be had.
 """
 
-import argparse
 import collections
 import contextlib
 import dataclasses
@@ -22,7 +21,6 @@ import re
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 
@@ -30,7 +28,7 @@ import bus_messages
 import bus_record
 import faulty_switch
 import loss_accounts
-from live_processes import COMPONENTS, Processes, wait_for
+from live_processes import COMPONENTS, Processes, command_line, read_options, wait_for
 from loss_accounts import Said
 from machines import Machine
 
@@ -462,17 +460,12 @@ def main():
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
-    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
-    parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
+    parser = command_line(__doc__)
     parser.add_argument("--seconds", type=float, default=2.0, help="that a fault lasts")
     parser.add_argument("--stop", default="bridge,scan,localize,record",
                         help="processes that are stopped for two seconds")
     parser.add_argument("--only", default="", help="faults whose name matches this expression")
-    options = parser.parse_args()
+    options = read_options(parser)
     options.stop = [name for name in options.stop.split(",") if name]
-    options.out = options.out or pathlib.Path(tempfile.mkdtemp(prefix="fault_test-"))
-    options.out.mkdir(parents=True, exist_ok=True)
     TYPES = bus_messages.generated_types(options.out)
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
     sys.exit(main())

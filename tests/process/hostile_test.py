@@ -10,22 +10,18 @@ is flat.
 Skipped (exit code 77) where no namespaces or cables between them can be had.
 """
 
-import argparse
 import collections
 import itertools
 import multiprocessing
-import pathlib
 import random
-import signal
 import struct
 import sys
-import tempfile
 import time
 
 import bus_messages
 import bus_record
 import socket_filters
-from live_processes import COMPONENTS, Processes, wait_for
+from live_processes import COMPONENTS, Processes, command_line, read_options, wait_for
 from machines import GROUP, PORT, Machine, join, listening_socket, sending_socket
 
 BUS = "udpm://239.255.76.67:7667?ttl=1"
@@ -345,14 +341,9 @@ def main():
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
-    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
-    parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
+    parser = command_line(__doc__)
     parser.add_argument("--seconds", type=float, default=8.0, help="at full speed")
-    options = parser.parse_args()
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
-    options.out = options.out or pathlib.Path(tempfile.mkdtemp(prefix="hostile_test-"))
-    options.out.mkdir(parents=True, exist_ok=True)
+    options = read_options(parser)
     TYPES = bus_messages.generated_types(options.out)
     LOG = options.out / "hostile.lcmlog"
     FAILURES = []

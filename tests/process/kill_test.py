@@ -9,7 +9,6 @@ are scored against the truth. And a process that stands still for 3 s is taken f
 again; one that does for 2 s is not.
 """
 
-import argparse
 import collections
 import contextlib
 import os
@@ -20,13 +19,12 @@ import signal
 import statistics
 import subprocess
 import sys
-import tempfile
 import time
 
 import bus_messages
 import bus_record
 import socket_filters
-from live_processes import ENVIRONMENT, Processes, wait_for
+from live_processes import ENVIRONMENT, Processes, command_line, read_options, wait_for
 from machines import Machine
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -224,20 +222,14 @@ def main():
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
-    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
-    parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
+    parser = command_line(__doc__)
     parser.add_argument("--kills", type=int, default=5)
     parser.add_argument("--pause", type=float, default=3.0, help="[s] from one to the next")
     parser.add_argument("--settle", type=float, default=15.0, help="[s] from the last to the score")
     parser.add_argument("--stop", default="bridge,merge,localize", help="who stands still")
     parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
+    options = read_options(parser)
     options.stop = options.stop.split(",")
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
-    options.bin = options.bin.resolve()
-    options.out = (options.out or pathlib.Path(tempfile.mkdtemp(prefix="kill_test-"))).resolve()
-    options.out.mkdir(parents=True, exist_ok=True)
     TYPES = bus_messages.generated_types(options.out)
     LOG = options.out / "killed.lcmlog"
     FAILURES = []

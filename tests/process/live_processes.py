@@ -1,15 +1,34 @@
 """Real processes, on the bus of the namespace that a test runs in: see private_bus."""
 
+import argparse
 import os
 import pathlib
 import signal
 import subprocess
+import tempfile
 import time
 
 COMPONENTS = ["locate", "scan", "merge", "identify", "proximity", "globalmap", "localize"]
 
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("CLASSPATH", "DISPLAY", "LCM_DEFAULT_URL")}
+
+
+def command_line(description):
+    """What every script here is told: where the programs are, and where its files may stay."""
+    parser = argparse.ArgumentParser(description=description.partition("\n\n")[0])
+    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
+    parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
+    return parser
+
+
+def read_options(parser):
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
+    options = parser.parse_args()
+    options.bin = options.bin.resolve()
+    options.out = (options.out or pathlib.Path(tempfile.mkdtemp(prefix=parser.prog))).resolve()
+    options.out.mkdir(parents=True, exist_ok=True)
+    return options
 
 
 def wait_for(condition, seconds, what):

@@ -11,16 +11,12 @@ proves nothing and is made again.
 Skipped (exit code 77) where no namespaces or cables between them can be had.
 """
 
-import argparse
 import collections
-import pathlib
-import signal
 import subprocess
 import sys
-import tempfile
 
 import bus_messages
-from live_processes import COMPONENTS, ENVIRONMENT, Processes
+from live_processes import COMPONENTS, ENVIRONMENT, Processes, command_line, read_options
 from machines import Machine, join
 
 ALIKE = ["PICO_ODOMETRY", "PICO_LASER", "POSITION", "PROXIMITY", "CURRENT_MAP", "LOCAL_MAP",
@@ -106,12 +102,7 @@ def main():
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
-    parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
-    parser.add_argument("--out", type=pathlib.Path, help="where the logs stay")
+    parser = command_line(__doc__)
     parser.add_argument("--seconds", type=float, default=8.0, help="that the robot drives")
-    options = parser.parse_args()
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # children can be interrupted
-    options.out = options.out or pathlib.Path(tempfile.mkdtemp(prefix="two_machines_test-"))
-    options.out.mkdir(parents=True, exist_ok=True)
+    options = read_options(parser)
     sys.exit(main())

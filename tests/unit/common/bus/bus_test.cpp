@@ -138,9 +138,9 @@ TEST_F(BusTest, CountsWhatNeverCameAlsoWhereALateOneIsTurnedDown) {
   EXPECT_EQ(rejected("time stepped back"), 1);
 }
 
-TEST_F(BusTest, TurnsDownWhatNeedsMoreThanOneDatagram) {
+TEST_F(BusTest, TurnsDownWhatIsTooLargeToBeAMessage) {
   listen();
-  send(channel::odometry, std::vector<std::uint8_t>(kMaxPayload + 1));
+  send(channel::odometry, std::vector<std::uint8_t>(kMaxReceived + 1));
   EXPECT_EQ(rejected("too large"), 1);
 }
 
