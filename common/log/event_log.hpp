@@ -142,8 +142,8 @@ class LogWriter {
   /// destructor does it without a word.
   void close();
 
-  /// After a LogError: cuts off what did not go out whole, and closes. Gives how many events are
-  /// lost: those since the last flush.
+  /// After a LogError: closes, and cuts off what did not go out whole, where the disk still lets
+  /// it. Gives how many events are lost: those since the last flush.
   std::int64_t give_up();
 
   std::int64_t written() const { return written_; }  ///< events

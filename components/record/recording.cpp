@@ -37,11 +37,7 @@ std::int64_t Recording::take_lost() { return std::exchange(lost_, 0); }
 void Recording::stop(const LogError& error) {
   trouble_ = error.what();
   if (!writer_) return;
-  try {
-    lost_ += writer_->give_up();
-  } catch (const LogError&) {
-    // The file went away, or the disk: what it holds is told by whoever reads it.
-  }
+  lost_ += writer_->give_up();
   writer_.reset();
 }
 
