@@ -28,7 +28,8 @@ import bus_messages
 import bus_record
 import faulty_switch
 import loss_accounts
-from live_processes import COMPONENTS, Processes, command_line, read_options, wait_for
+from live_processes import (COMPONENTS, Processes, command_line, fail, read_options, verdict,
+                            wait_for)
 from loss_accounts import Said
 from machines import Machine
 
@@ -322,7 +323,6 @@ class Report:
     """A line for each fault, and what is wrong."""
 
     def __init__(self):
-        self.failures = []
         print(ROW.format("fault", "back [s]", "lost on", "numbers that", "dropped at", "STATUS:",
                          "", "", ""))
         print(ROW.format("", "", "the way", "never came", "the machine", "missed", "rejected",
@@ -342,18 +342,14 @@ class Report:
                           "told by nobody: dropped from a full queue")
         began_anew = accounts["localize"]["PICO_LASER"].restarts > 0
         if place != "tracking" and not began_anew:
-            self.fail(f"{fault.name}: the robot no longer knows where it is")
+            fail(f"{fault.name}: the robot no longer knows where it is")
         if back > LIMIT:
-            self.fail(f"{fault.name}: {channel} was back only after {back:.2f} s")
+            fail(f"{fault.name}: {channel} was back only after {back:.2f} s")
         for name, inputs in accounts.items():
             for channel, account in inputs.items():
                 if not account.is_right:
-                    self.fail(f"{fault.name}: {name}, {channel}: {account}")
+                    fail(f"{fault.name}: {name}, {channel}: {account}")
         sys.stdout.flush()
-
-    def fail(self, text):
-        print("   WRONG:", text)
-        self.failures.append(text)
 
 
 def suffer(chain, fault, rates, before, report):
@@ -387,12 +383,12 @@ def suffer_all(chain, faults_in_turn, report):
             if re.search(options.only, fault.name):
                 before = suffer(chain, fault, rates, before, report)
         chain.stop()
-        check_log(chain, report, published_unheard(chain, report))
+        check_log(chain, published_unheard(chain))
     finally:
         chain.processes.stop_all()
 
 
-def published_unheard(chain, report):
+def published_unheard(chain):
     """By channel, what was published and not heard: a link that goes takes what waits for it."""
     heard = collections.Counter(message.channel for message in chain.record.sent)
     last_words = {(said.status.component, said.status.boot): said.status
@@ -405,7 +401,7 @@ def published_unheard(chain, report):
                                    for channel, count in published.items()})
     for channel, count in unheard.items():
         if count < 0 or (count > 0 and not chain.was_unplugged):
-            report.fail(f"{channel}: of what was published {count} were not heard")
+            fail(f"{channel}: of what was published {count} were not heard")
     return unheard
 
 
@@ -414,7 +410,7 @@ def is_source(channel):
     return channel.startswith(("PICO_", "SIM_", "STATUS_"))
 
 
-def check_log(chain, report, unheard):
+def check_log(chain, unheard):
     """What the log lacks, as logcheck counts it, is what was sent and is not in it, and what could
     not be sent: of a source the numbers that it gave."""
     sent, arrived, kept = (collections.defaultdict(set) for _ in range(3))
@@ -444,9 +440,9 @@ def check_log(chain, report, unheard):
         wrong += [channel] if missing != absent + unsent else []
         unrecorded += absent - lost
     if wrong:
-        report.fail("logcheck's count is wrong: " + ", ".join(wrong))
+        fail("logcheck's count is wrong: " + ", ".join(wrong))
     if unrecorded:
-        report.fail(f"{unrecorded} messages arrived and were not recorded")
+        fail(f"{unrecorded} messages arrived and were not recorded")
 
 
 def main():
@@ -454,9 +450,7 @@ def main():
     report = Report()
     suffer_all(chain, faults(options.seconds, options.stop), report)
     suffer_all(Chain.on_one_machine(options.out), floods(options.seconds), report)
-    for failure in report.failures:
-        print("FAILED:", failure)
-    return 1 if report.failures else 0
+    return verdict()
 
 
 if __name__ == "__main__":

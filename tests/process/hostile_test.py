@@ -21,7 +21,8 @@ import time
 import bus_messages
 import bus_record
 import socket_filters
-from live_processes import COMPONENTS, Processes, command_line, read_options, wait_for
+from live_processes import (COMPONENTS, Processes, command_line, fail, read_options, verdict,
+                            wait_for)
 from machines import GROUP, PORT, Machine, join, listening_socket, sending_socket
 
 BUS = "udpm://239.255.76.67:7667?ttl=1"
@@ -220,11 +221,6 @@ class Attack:
         return {status.component: status for status in said}
 
 
-def fail(text):
-    print("   WRONG:", text, flush=True)
-    FAILURES.append(text)
-
-
 def bad(status, entry):
     """Messages of an input that were turned down for what they are."""
     return entry.rejected - turned_down_later(status, entry.channel)
@@ -335,9 +331,7 @@ def main():
     finally:
         attack.processes.stop_all()
         LOG.unlink(missing_ok=True)
-    for failure in FAILURES:
-        print("FAILED:", failure)
-    return 1 if FAILURES else 0
+    return verdict()
 
 
 if __name__ == "__main__":
@@ -346,5 +340,4 @@ if __name__ == "__main__":
     options = read_options(parser)
     TYPES = bus_messages.generated_types(options.out)
     LOG = options.out / "hostile.lcmlog"
-    FAILURES = []
     sys.exit(main())

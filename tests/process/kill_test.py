@@ -24,7 +24,8 @@ import time
 import bus_messages
 import bus_record
 import socket_filters
-from live_processes import ENVIRONMENT, Processes, command_line, read_options, wait_for
+from live_processes import (ENVIRONMENT, Processes, command_line, fail, read_options, verdict,
+                            wait_for)
 from machines import Machine
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -190,11 +191,6 @@ def compare_maps(tail):
             fail(f"{column}: {with_kills[column]} %, without kills {without[column]} %")
 
 
-def fail(text):
-    print("   WRONG:", text, flush=True)
-    FAILURES.append(text)
-
-
 def main():
     one = Set()
     try:
@@ -216,9 +212,7 @@ def main():
         one.processes.stop_all()
         one.listener.stop()
         LOG.unlink(missing_ok=True)
-    for failure in FAILURES:
-        print("FAILED:", failure)
-    return 1 if FAILURES else 0
+    return verdict()
 
 
 if __name__ == "__main__":
@@ -232,5 +226,4 @@ if __name__ == "__main__":
     options.stop = options.stop.split(",")
     TYPES = bus_messages.generated_types(options.out)
     LOG = options.out / "killed.lcmlog"
-    FAILURES = []
     sys.exit(main())

@@ -10,6 +10,8 @@ import time
 
 COMPONENTS = ["locate", "scan", "merge", "identify", "proximity", "globalmap", "localize"]
 
+FAILURES = []
+
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("CLASSPATH", "DISPLAY", "LCM_DEFAULT_URL")}
 
@@ -29,6 +31,19 @@ def read_options(parser):
     options.out = (options.out or pathlib.Path(tempfile.mkdtemp(prefix=parser.prog))).resolve()
     options.out.mkdir(parents=True, exist_ok=True)
     return options
+
+
+def fail(text):
+    """The script goes on, so that all is seen; `verdict` tells it once more."""
+    print("   WRONG:", text, flush=True)
+    FAILURES.append(text)
+
+
+def verdict():
+    """The exit code."""
+    for failure in FAILURES:
+        print("FAILED:", failure)
+    return 1 if FAILURES else 0
 
 
 def wait_for(condition, seconds, what):
