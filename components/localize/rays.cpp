@@ -3,12 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/interval.hpp"
+
 namespace perceptor::localize {
 namespace {
 
 constexpr double kLeastCell = 0.5;       // [m]
 constexpr double kMostCells = 40'000.0;  // of a building however large
 constexpr double kMargin = 1e-6;         // [m] lines on the edge of a cell are in both
+
+/// A ray along one axis of the cells: places in cells, its way in metres.
+class Axis {
+ public:
+  Axis(double from, double speed)
+      : from_(from), speed_(speed), per_cell_(1.0 / speed), is_backward_(speed < 0.0) {}
+
+  double at(double way) const { return from_ + way * speed_; }
+
+  /// The cell behind so many.
+  int behind(int cell, int leap) const { return is_backward_ ? cell - leap : cell + leap; }
+
+  /// To the edge of that cell.
+  double way_behind(int cell, int leap) const {
+    return way_to(is_backward_ ? cell - leap + 1 : cell + leap);
+  }
+
+  /// Where the ray is within `count` cells; empty where it never is.
+  Interval way_within(int count) const {
+    if (speed_ == 0.0)
+      return from_ < 0.0 || from_ > count ? Interval{kNever, 0.0} : Interval{0.0, kNever};
+    return {way_to(is_backward_ ? count : 0), way_to(is_backward_ ? 0 : count)};
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  double way_to(int place) const { return speed_ == 0.0 ? kNever : (place - from_) * per_cell_; }
+
+  double from_;      // [cells]
+  double speed_;     // [cells/m]
+  double per_cell_;  // [m]
+  bool is_backward_;
+};
 
 /// Whether a line has a point in a square: it does not lie on one side of any of the four edges,
 /// nor the square on one side of it.
@@ -63,63 +99,73 @@ void Rays::sort() {
           in_cells_.push_back(line);
     }
   begins_.push_back(in_cells_.size());
+  measure_leaps();
+}
+
+/// The distance to the nearest cell with a line in it, a diagonal step as long as a straight one
+/// (A. Rosenfeld and J. Pfaltz, "Sequential operations in digital picture processing", JACM 1966).
+void Rays::measure_leaps() {
+  const auto is_filled = [&](std::size_t cell) { return begins_[cell] < begins_[cell + 1]; };
+  leaps_.assign(begins_.size() - 1, std::max(columns_, rows_));
+  for (std::size_t cell = 0; cell < leaps_.size(); ++cell)
+    if (is_filled(cell)) leaps_[cell] = 0;
+  const auto sweep = [&](int column, int row, int back) {
+    int& leap = leaps_[cell_at(column, row)];
+    const auto pass = [&](int x, int y) {
+      if (x >= 0 && x < columns_ && y >= 0 && y < rows_)
+        leap = std::min(leap, leaps_[cell_at(x, y)] + 1);
+    };
+    pass(column - back, row);
+    for (const int x : {column - 1, column, column + 1}) pass(x, row - back);
+  };
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) sweep(column, row, 1);
+  for (int row = rows_ - 1; row >= 0; --row)
+    for (int column = columns_ - 1; column >= 0; --column) sweep(column, row, -1);
+  for (int& leap : leaps_) leap = std::max(leap, 1);
 }
 
 double Rays::distance_to(const Item& item, const Vector2& origin, const Vector2& direction) {
   const double to_x = item.ax - origin.x();
   const double to_y = item.ay - origin.y();
   const double across = direction.x() * item.dy - direction.y() * item.dx;
-  const double distance = (to_x * item.dy - to_y * item.dx) / across;
-  const double place = (to_x * direction.y() - to_y * direction.x()) / across;
-  const bool is_met = distance > 0.0 && place >= 0.0 && place <= 1.0;  // parallel: NaN, not met
-  return is_met ? distance : std::numeric_limits<double>::infinity();
+  const double place = to_x * direction.y() - to_y * direction.x();  // times across, as distance
+  const double distance = to_x * item.dy - to_y * item.dx;
+  const bool is_met = across > 0.0 ? distance > 0.0 && place >= 0.0 && place <= across
+                                   : distance < 0.0 && place <= 0.0 && place >= across;
+  return is_met ? distance / across : std::numeric_limits<double>::infinity();
 }
 
-RayHit Rays::first(const Vector2& origin, const Vector2& direction) const {
+RayHit Rays::first(const Vector2& origin, const Vector2& direction, double reach) const {
   RayHit hit;
   if (lines_.empty()) return hit;
-  // Where the ray comes into the cells, and where it leaves them.
-  const Vector2 size(columns_ * cell_, rows_ * cell_);
-  double enters = 0.0;
-  double leaves = std::numeric_limits<double>::infinity();
-  for (const int axis : {0, 1}) {
-    const double from = corner_[axis] - origin[axis];
-    if (direction[axis] == 0.0) {
-      if (from > 0.0 || from + size[axis] < 0.0) return hit;
-      continue;
-    }
-    const double one = from / direction[axis];
-    const double other = (from + size[axis]) / direction[axis];
-    enters = std::max(enters, std::min(one, other));
-    leaves = std::min(leaves, std::max(one, other));
-  }
-  if (enters > leaves) return hit;
-  const Vector2 place = (origin + enters * direction - corner_) / cell_;
-  int at[2] = {std::clamp(static_cast<int>(place.x()), 0, columns_ - 1),
-               std::clamp(static_cast<int>(place.y()), 0, rows_ - 1)};
-  const int count[2] = {columns_, rows_};
-  int step[2];
-  double next[2];   // [m] along the ray, to the next cell of each axis
-  double width[2];  // [m] along the ray, of a cell
-  for (const int axis : {0, 1}) {
-    step[axis] = direction[axis] < 0.0 ? -1 : 1;
-    const double edge = corner_[axis] + cell_ * (at[axis] + (step[axis] > 0 ? 1 : 0));
-    const bool is_still = direction[axis] == 0.0;
-    const double never = std::numeric_limits<double>::infinity();
-    next[axis] = is_still ? never : (edge - origin[axis]) / direction[axis];
-    width[axis] = is_still ? never : cell_ / std::abs(direction[axis]);
-  }
+  const Axis x((origin.x() - corner_.x()) / cell_, direction.x() / cell_);
+  const Axis y((origin.y() - corner_.y()) / cell_, direction.y() / cell_);
+  const Interval in_columns = x.way_within(columns_);
+  const Interval in_rows = y.way_within(rows_);
+  const double end = std::min({reach, in_columns.to, in_rows.to});
+  double way = std::max({0.0, in_columns.from, in_rows.from});
+  if (way > end) return hit;
+  int column = std::clamp(static_cast<int>(x.at(way)), 0, columns_ - 1);
+  int row = std::clamp(static_cast<int>(y.at(way)), 0, rows_ - 1);
   while (true) {
-    const std::size_t cell = cell_at(at[0], at[1]);
+    const std::size_t cell = cell_at(column, row);
     for (std::size_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
       const double distance = distance_to(in_cells_[i], origin, direction);
       if (distance < hit.distance) hit = {in_cells_[i].line, distance};
     }
-    const int axis = next[0] < next[1] ? 0 : 1;
-    if (hit.distance <= next[axis]) return hit;
-    at[axis] += step[axis];
-    if (at[axis] < 0 || at[axis] >= count[axis]) return hit;
-    next[axis] += width[axis];
+    const int leap = leaps_[cell];
+    const double to_column = x.way_behind(column, leap);
+    const double to_row = y.way_behind(row, leap);
+    const bool is_along_x = to_column < to_row;
+    way = std::min(to_column, to_row);
+    if (hit.distance <= way || way > end) return hit;
+    const int beside_x =
+        std::clamp(static_cast<int>(x.at(way)), column - leap + 1, column + leap - 1);
+    const int beside_y = std::clamp(static_cast<int>(y.at(way)), row - leap + 1, row + leap - 1);
+    column = is_along_x ? x.behind(column, leap) : beside_x;
+    row = is_along_x ? beside_y : y.behind(row, leap);
+    if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return hit;
   }
 }
 

@@ -144,7 +144,8 @@ Met World::meet(const Vector2& origin, const Vector2& direction, double range) c
   constexpr double kBeyond = 1e-6;  // [m] from an opening, to look for the next one
   Met met{solid_.first(origin, direction).distance, std::numeric_limits<double>::infinity()};
   for (double passed = 0.0; passed < range;) {
-    const double door = passed + doors_.first(origin + passed * direction, direction).distance;
+    const Vector2 place = origin + passed * direction;
+    const double door = passed + doors_.first(place, direction, met.face - passed).distance;
     if (door >= met.face) break;
     if (std::abs(range - door) < std::abs(range - met.door)) met.door = door;
     passed = door + kBeyond;

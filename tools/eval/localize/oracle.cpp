@@ -88,15 +88,18 @@ class Oracle {
     return here.explained >= truth_.explained - kSlack && here.through <= truth_.through + kSlack;
   }
 
-  /// Of the whole drive that begins here; `every`: of the views.
-  Shares shares(const Position& start, std::size_t every = 1) const {
+  localize::BeamFit fit_of(const TrueView& view, const Position& start) const {
+    const Position robot = compose(start, relative(start_, view.robot_in_world));
+    return fit_beams(world_, robot, view.beams, within(parameters_.tolerance));
+  }
+
+  /// Of the whole drive that begins here.
+  Shares shares(const Position& start) const {
     Shares sum;
     double beams = 0.0;
-    for (std::size_t i = 0; i < views_.size(); i += every) {
-      const Position robot = compose(start, relative(start_, views_[i].robot_in_world));
-      const localize::BeamFit fit =
-          fit_beams(world_, robot, views_[i].beams, within(parameters_.tolerance));
-      const auto count = static_cast<double>(views_[i].beams.size());
+    for (const TrueView& view : views_) {
+      const localize::BeamFit fit = fit_of(view, start);
+      const auto count = static_cast<double>(view.beams.size());
       sum.explained += count * fit.explained;
       sum.through += count * fit.through;
       beams += count;
@@ -104,15 +107,29 @@ class Oracle {
     return {sum.explained / beams, sum.through / beams};
   }
 
+  /// What the map explains of every other view, less what goes through it; or something below
+  /// `least`, as soon as it cannot be more.
+  double rate(const Position& start, double least) const {
+    constexpr std::size_t kEvery = 2;
+    double all = 0.0;
+    for (std::size_t i = 0; i < views_.size(); i += kEvery)
+      all += static_cast<double>(views_[i].beams.size());
+    double left = all;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < views_.size() && (sum + left) / all >= least; i += kEvery) {
+      const localize::BeamFit fit = fit_of(views_[i], start);
+      const auto count = static_cast<double>(views_[i].beams.size());
+      sum += count * (fit.explained - fit.through);
+      left -= count;
+    }
+    return (sum + left) / all;
+  }
+
   /// Uphill from a place of the grid.
   std::optional<Position> refined(Position place) const {
-    constexpr std::size_t kEvery = 2;
-    const auto rate = [&](const Position& p) {
-      const Shares s = shares(p, kEvery);
-      return s.explained - s.through;
-    };
-    double best = rate(place);
-    if (best < truth_.explained - truth_.through - 0.3) return std::nullopt;
+    const double least = truth_.explained - truth_.through - 0.3;
+    double best = rate(place, least);
+    if (best < least) return std::nullopt;
     constexpr double kLeastStep = 0.01;
     double step = parameters_.step / 2.0;
     while (step > kLeastStep) {
@@ -124,7 +141,7 @@ class Oracle {
               Position{0.0, -step, 0.0}, Position{0.0, 0.0, step / 2.0},
               Position{0.0, 0.0, -step / 2.0}}) {
           const Position next = place + move;
-          const double rated = rate(next);
+          const double rated = rate(next, best);
           if (rated <= best) continue;
           best = rated;
           place = next;

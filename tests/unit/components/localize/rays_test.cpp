@@ -67,6 +67,44 @@ TEST(Rays, MeetWhatALookAtEachLineFinds) {
   EXPECT_GT(met, 1000);
 }
 
+TEST(Rays, WithinReachFindTheSame) {
+  std::mt19937_64 random(13);
+  const std::vector<Segment> lines = random_lines(random);
+  const Rays rays = sorted(lines);
+  int within = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector2 origin(1.5 * place(random), place(random) / 3.0);
+    const double bearing = place(random);
+    const Vector2 direction(std::cos(bearing), std::sin(bearing));
+    const double reach = std::abs(place(random)) / 4.0;
+    const RayHit everywhere = rays.first(origin, direction);
+    const RayHit near = rays.first(origin, direction, reach);
+    EXPECT_EQ(near.distance <= reach, everywhere.distance <= reach);
+    if (near.distance > reach) continue;
+    EXPECT_EQ(near.line, everywhere.line);
+    ++within;
+  }
+  EXPECT_GT(within, 500);
+}
+
+TEST(Rays, LeapOverWhatIsEmptyAndMissNothingBehindIt) {
+  Rays rays;
+  std::vector<Segment> lines;
+  for (int i = 0; i < 8; ++i) {  // small things, far apart
+    const double angle = i * std::numbers::pi / 4.0;
+    const Vector2 place = 30.0 * Vector2(std::cos(angle), std::sin(angle));
+    lines.push_back({place, place + Vector2(0.1, 0.2)});
+    rays.add(lines.back());
+  }
+  rays.sort();
+  for (int i = 0; i < 8000; ++i) {
+    const double bearing = i * std::numbers::pi / 4000.0;
+    const Vector2 direction(std::cos(bearing), std::sin(bearing));
+    EXPECT_EQ(rays.first({0.1, 0.3}, direction).distance,
+              brute_force(lines, {0.1, 0.3}, direction));
+  }
+}
+
 TEST(Rays, AllLinesNearAPlaceAreAmongThoseThatMayBe) {
   std::mt19937_64 random(11);
   const std::vector<Segment> lines = random_lines(random);
