@@ -9,9 +9,11 @@ namespace perceptor {
 
 namespace {
 
-/// Messages that LCM holds until they are checked, while a handler takes its time. What is beyond
-/// that LCM drops in silence.
-constexpr int kUnchecked = 3000;
+/// Messages of a channel that LCM holds until they are checked, of up to 64 kB each. What is beyond
+/// that LCM drops in silence; their numbers are missed.
+constexpr int kUnchecked = 500;
+
+constexpr int kAtOnce = 1000;  // messages that are checked before one is handled
 
 constexpr std::string_view kFailed = "failed while it was processed";
 constexpr const char* kLcmToItself = "LCM_SELF_TEST";
@@ -90,6 +92,11 @@ void Bus::make_room(Waiting& message) {
   waiting_.erase(oldest);
   --waiting_of_[message.channel];
   reject(message.channel, "too slow for all that comes");
+}
+
+void Bus::check_what_came() {
+  if (!lets_wait_) return;
+  for (int i = 0; i < kAtOnce && input_.handleTimeout(0) > 0;) ++i;
 }
 
 bool Bus::handle_next() {

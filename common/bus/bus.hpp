@@ -58,6 +58,10 @@ class Bus {
   /// that bad ones, however many, take no good one's place.
   void let_messages_wait() { lets_wait_ = true; }
 
+  /// Checks what has come meanwhile, though not more than a little at a time. Does nothing where
+  /// messages do not wait; else a handler that takes its time may call it.
+  void check_what_came();
+
   /// Calls the handler of the message that waits longest; false: none waits.
   bool handle_next();
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::int64_t kStatusPeriod = kMicrosecondsPerSecond;
 constexpr int kDrainQuiet_ms = 150;  // nothing for this long: the input is drained
-constexpr int kAtOnce = 1000;        // messages that are checked before one is handled
 constexpr std::int64_t kDrainLimit = 5 * kMicrosecondsPerSecond;
 
 template <class Clock>
@@ -47,16 +46,11 @@ bool handle_one(lcm::LCM& lcm, int timeout_ms) {
   return lcm.handleTimeout(timeout_ms) >= 0 || errno == EINTR;
 }
 
-/// Checks what has come meanwhile, though not more than a little at a time.
-void check_all(lcm::LCM& lcm) {
-  for (int i = 0; i < kAtOnce && lcm.handleTimeout(0) > 0;) ++i;
-}
-
 void drain(lcm::LCM& lcm, Bus& bus, Heartbeat& heartbeat) {
   const std::int64_t give_up = monotonic_now() + kDrainLimit;
   while (monotonic_now() < give_up &&
          (lcm.handleTimeout(bus.has_waiting() ? 0 : kDrainQuiet_ms) > 0 || bus.has_waiting())) {
-    check_all(lcm);
+    bus.check_what_came();
     bus.handle_next();
     heartbeat.beat(monotonic_now());
   }
@@ -86,7 +80,7 @@ ExitCode spin(const Face& face, lcm::LCM& lcm, Bus& bus, BusGuard& guard, const 
       std::cerr << "pico-" << face.name << ": the bus broke while waiting for messages\n";
       return kExitFailed;
     }
-    check_all(lcm);
+    bus.check_what_came();
     bus.handle_next();
     if (monotonic_now() >= next_status) {
       publish_status(false);

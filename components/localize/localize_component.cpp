@@ -100,7 +100,8 @@ LocalizeComponent::LocalizeComponent(const LocalizeConfig& config,
       map_id_(building.id),
       combined_period_(config.combined_period),
       world_(building.map),
-      localizer_(world_, config.localize, hint_of(config, building.map)),
+      localizer_(world_, config.localize, hint_of(config, building.map),
+                 [this] { bus_.check_what_came(); }),
       combined_(world_, building.map, config.localize.search.beams, config.combined) {
   bus_.subscribe<pico::laser_scan_t>(
       channel::laser, kQueue,

@@ -1,6 +1,7 @@
 #include "components/localize/localizer.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -175,6 +176,7 @@ std::function<bool(const Position&)> Localizer::is_possible() const {
 void Localizer::take_answer(const Sight& sight) {
   if (!answer_.valid()) return;
   if (seconds_between(asked_, sight.utime) < parameters_.search_time) return;
+  wait_for_answer();
   Answer answer = answer_.get();
   places_ = std::move(answer.places);
   if (tracked_) {
@@ -187,6 +189,12 @@ void Localizer::take_answer(const Sight& sight) {
   tracked_ = Tracked{in_world(places_.front(), sight.robot_in_local, parameters_),
                      sight.robot_in_local, sight.utime, square(parameters_.tracking.map_sigma)};
   checked_.reset();
+}
+
+void Localizer::wait_for_answer() const {
+  constexpr std::chrono::milliseconds kLittle{2};
+  do meanwhile_();
+  while (answer_.wait_for(kLittle) != std::future_status::ready);
 }
 
 /// Nowhere do all keyframes fit: the robot was carried away between them.
@@ -253,6 +261,7 @@ void Localizer::lose(std::int64_t utime) {
   take_claim_back();
   keyframes_.clear();
   places_.clear();
+  if (answer_.valid()) wait_for_answer();
   answer_ = {};
   bad_since_.reset();
   since_ = utime;

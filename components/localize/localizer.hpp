@@ -102,9 +102,14 @@ struct WorldPosition {
 
 class Localizer {
  public:
-  Localizer(World world, const LocalizerParameters& parameters,
-            std::optional<StartHint> hint = std::nullopt)
-      : world_(std::move(world)), parameters_(parameters), hint_(std::move(hint)) {}
+  /// `meanwhile` is called when a scan needs what a search has found, and every 2 ms until it has.
+  Localizer(
+      World world, const LocalizerParameters& parameters,
+      std::optional<StartHint> hint = std::nullopt, std::function<void()> meanwhile = [] {})
+      : world_(std::move(world)),
+        parameters_(parameters),
+        hint_(std::move(hint)),
+        meanwhile_(std::move(meanwhile)) {}
 
   // A search that runs beside looks at this object.
   Localizer(const Localizer&) = delete;
@@ -133,6 +138,7 @@ class Localizer {
   bool is_time_to_ask(std::int64_t utime) const;
   void ask(const Sight& sight);
   void take_answer(const Sight& sight);
+  void wait_for_answer() const;
   std::function<bool(const Position& local_in_world)> is_possible() const;
   bool fits_together() const;
   void forget_older_half();
@@ -150,6 +156,7 @@ class Localizer {
   World world_;
   LocalizerParameters parameters_;
   std::optional<StartHint> hint_;
+  std::function<void()> meanwhile_;
   bool has_begun_ = false;                  ///< a scan has come
   std::optional<Position> start_in_local_;  ///< of the first scan, while the hint holds
   State state_ = State::searching;

@@ -188,6 +188,20 @@ TEST_F(WaitingMessagesTest, OfTooManyTheOldestIsTurnedDownAndCounted) {
   EXPECT_EQ(status_.message(0, false).inputs.at(0).missed, 0);
 }
 
+TEST_F(WaitingMessagesTest, AreCheckedWhileAHandlerTakesItsTime) {
+  std::vector<std::int64_t> checked_before;
+  bus_.subscribe_command<pico::odometry_t>(channel::odometry, 10, [&](const pico::odometry_t&) {
+    bus_.check_what_came();
+    checked_before.push_back(status_.message(0, false).inputs.at(0).received);
+  });
+  const auto payload = messages::encode(odometry(1));
+  for (int i = 0; i < 3; ++i)
+    lcm_.publish(channel::odometry, payload.data(), static_cast<unsigned>(payload.size()));
+  ASSERT_GT(lcm_.handle(), -1);
+  handle_all();
+  EXPECT_EQ(checked_before, (std::vector<std::int64_t>{3, 3, 3}));
+}
+
 TEST_F(WaitingMessagesTest, SurviveAHandlerThatThrows) {
   listen();
   send(odometry(100, 1, 666));

@@ -296,6 +296,18 @@ TEST(Localizer, ClearForgetsAll) {
   EXPECT_EQ(drive.look().state, State::searching);
 }
 
+TEST(Localizer, CallsSomebodyWhileItWaitsForASearch) {
+  const Building building = angled_room();
+  int calls = 0;
+  Localizer localizer(World(building.map), {}, std::nullopt, [&calls] { ++calls; });
+  const Position robot{1.2, 2.9, -1.0};
+  localizer.update(sight(building, building.scene, robot, {}, 1'000'000));
+  localizer.update(sight(building, building.scene, robot, {}, 1'200'000));
+  EXPECT_EQ(calls, 0) << "the answer is not asked for yet";
+  localizer.update(sight(building, building.scene, robot, {}, 1'300'000));
+  EXPECT_GT(calls, 0);
+}
+
 TEST(Localizer, SameScansGiveTheSameAnswers) {
   Drive first(angled_room(), {1.2, 2.9, -1.0});
   Drive second(angled_room(), {1.2, 2.9, -1.0});
