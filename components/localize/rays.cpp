@@ -8,7 +8,7 @@
 namespace perceptor::localize {
 namespace {
 
-constexpr double kLeastCell = 0.5;       // [m]
+constexpr double kLeastCell = 1.0;       // [m]
 constexpr double kMostCells = 40'000.0;  // of a building however large
 constexpr double kMargin = 1e-6;         // [m] lines on the edge of a cell are in both
 
@@ -61,9 +61,15 @@ bool reaches(const Segment& line, const Vector2& low, const Vector2& high) {
 
 }  // namespace
 
-void Rays::add(const Segment& segment) {
+void Rays::add(const Segment& segment) { lines_.push_back(item_of(segment, lines_.size())); }
+
+void Rays::add_opening(const Segment& segment) {
+  openings_.push_back(item_of(segment, openings_.size()));
+}
+
+Rays::Item Rays::item_of(const Segment& segment, std::size_t line) {
   const Vector2 along = segment.b - segment.a;
-  lines_.push_back({segment.a.x(), segment.a.y(), along.x(), along.y(), lines_.size()});
+  return {segment.a.x(), segment.a.y(), along.x(), along.y(), line};
 }
 
 std::size_t Rays::cell_at(int column, int row) const {
@@ -72,48 +78,59 @@ std::size_t Rays::cell_at(int column, int row) const {
 }
 
 void Rays::sort() {
-  if (lines_.empty()) return;
-  corner_ = Vector2(lines_.front().ax, lines_.front().ay);
-  Vector2 far = corner_;
-  for (const Item& line : lines_)
-    for (const Vector2& end :
-         {Vector2(line.ax, line.ay), Vector2(line.ax + line.dx, line.ay + line.dy)}) {
-      corner_ = corner_.cwiseMin(end);
-      far = far.cwiseMax(end);
+  cells_.clear();
+  in_cells_.clear();
+  if (lines_.empty() && openings_.empty()) return;
+  lay_cells();
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      const Vector2 low = corner_ + cell_ * Vector2(column, row) - Vector2(kMargin, kMargin);
+      const Vector2 high = low + Vector2(cell_ + 2.0 * kMargin, cell_ + 2.0 * kMargin);
+      Cell& cell = cells_.emplace_back();
+      cell.begin = add_to_cells({}, low, high);
+      cell.openings = add_to_cells(lines_, low, high);
+      cell.end = add_to_cells(openings_, low, high);
     }
+  measure_leaps();
+}
+
+/// Over all lines.
+void Rays::lay_cells() {
+  corner_ = Vector2::Constant(std::numeric_limits<double>::infinity());
+  Vector2 far = -corner_;
+  for (const auto* items : {&lines_, &openings_})
+    for (const Item& item : *items)
+      for (const Vector2& end :
+           {Vector2(item.ax, item.ay), Vector2(item.ax + item.dx, item.ay + item.dy)}) {
+        corner_ = corner_.cwiseMin(end);
+        far = far.cwiseMax(end);
+      }
   corner_ -= Vector2(kMargin, kMargin);
   const Vector2 size = far - corner_ + Vector2(kMargin, kMargin);
   cell_ = std::max(kLeastCell, std::sqrt(size.x() * size.y() / kMostCells));
   cell_ = std::max(cell_, std::max(size.x(), size.y()) / kMostCells);
   columns_ = static_cast<int>(size.x() / cell_) + 1;
   rows_ = static_cast<int>(size.y() / cell_) + 1;
-  begins_.clear();
-  in_cells_.clear();
-  for (int row = 0; row < rows_; ++row)
-    for (int column = 0; column < columns_; ++column) {
-      begins_.push_back(in_cells_.size());
-      const Vector2 low = corner_ + cell_ * Vector2(column, row) - Vector2(kMargin, kMargin);
-      const Vector2 high = low + Vector2(cell_ + 2.0 * kMargin, cell_ + 2.0 * kMargin);
-      for (const Item& line : lines_)
-        if (reaches({{line.ax, line.ay}, {line.ax + line.dx, line.ay + line.dy}}, low, high))
-          in_cells_.push_back(line);
-    }
-  begins_.push_back(in_cells_.size());
-  measure_leaps();
+}
+
+/// Those that have a point between `low` and `high`. Gives where they end.
+std::uint32_t Rays::add_to_cells(const std::vector<Item>& items, const Vector2& low,
+                                 const Vector2& high) {
+  for (const Item& item : items)
+    if (reaches({{item.ax, item.ay}, {item.ax + item.dx, item.ay + item.dy}}, low, high))
+      in_cells_.push_back(item);
+  return static_cast<std::uint32_t>(in_cells_.size());
 }
 
 /// The distance to the nearest cell with a line in it, a diagonal step as long as a straight one
 /// (A. Rosenfeld and J. Pfaltz, "Sequential operations in digital picture processing", JACM 1966).
 void Rays::measure_leaps() {
-  const auto is_filled = [&](std::size_t cell) { return begins_[cell] < begins_[cell + 1]; };
-  leaps_.assign(begins_.size() - 1, std::max(columns_, rows_));
-  for (std::size_t cell = 0; cell < leaps_.size(); ++cell)
-    if (is_filled(cell)) leaps_[cell] = 0;
+  for (Cell& cell : cells_) cell.leap = cell.begin < cell.end ? 0 : std::max(columns_, rows_);
   const auto sweep = [&](int column, int row, int back) {
-    int& leap = leaps_[cell_at(column, row)];
+    int& leap = cells_[cell_at(column, row)].leap;
     const auto pass = [&](int x, int y) {
       if (x >= 0 && x < columns_ && y >= 0 && y < rows_)
-        leap = std::min(leap, leaps_[cell_at(x, y)] + 1);
+        leap = std::min(leap, cells_[cell_at(x, y)].leap + 1);
     };
     pass(column - back, row);
     for (const int x : {column - 1, column, column + 1}) pass(x, row - back);
@@ -122,7 +139,7 @@ void Rays::measure_leaps() {
     for (int column = 0; column < columns_; ++column) sweep(column, row, 1);
   for (int row = rows_ - 1; row >= 0; --row)
     for (int column = columns_ - 1; column >= 0; --column) sweep(column, row, -1);
-  for (int& leap : leaps_) leap = std::max(leap, 1);
+  for (Cell& cell : cells_) cell.leap = std::max(cell.leap, 1);
 }
 
 double Rays::distance_to(const Item& item, const Vector2& origin, const Vector2& direction) {
@@ -136,35 +153,43 @@ double Rays::distance_to(const Item& item, const Vector2& origin, const Vector2&
   return is_met ? distance / across : std::numeric_limits<double>::infinity();
 }
 
-RayHit Rays::first(const Vector2& origin, const Vector2& direction, double reach) const {
+RayHit Rays::first(const Vector2& origin, const Vector2& direction, double range) const {
   RayHit hit;
-  if (lines_.empty()) return hit;
+  if (cells_.empty()) return hit;
   const Axis x((origin.x() - corner_.x()) / cell_, direction.x() / cell_);
   const Axis y((origin.y() - corner_.y()) / cell_, direction.y() / cell_);
   const Interval in_columns = x.way_within(columns_);
   const Interval in_rows = y.way_within(rows_);
-  const double end = std::min({reach, in_columns.to, in_rows.to});
+  const double end = std::min(in_columns.to, in_rows.to);
   double way = std::max({0.0, in_columns.from, in_rows.from});
   if (way > end) return hit;
   int column = std::clamp(static_cast<int>(x.at(way)), 0, columns_ - 1);
   int row = std::clamp(static_cast<int>(y.at(way)), 0, rows_ - 1);
   while (true) {
-    const std::size_t cell = cell_at(column, row);
-    for (std::size_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
+    const Cell& cell = cells_[cell_at(column, row)];
+    for (std::uint32_t i = cell.begin; i < cell.openings; ++i) {
       const double distance = distance_to(in_cells_[i], origin, direction);
-      if (distance < hit.distance) hit = {in_cells_[i].line, distance};
+      if (distance < hit.distance) {
+        hit.line = in_cells_[i].line;
+        hit.distance = distance;
+      }
     }
-    const int leap = leaps_[cell];
-    const double to_column = x.way_behind(column, leap);
-    const double to_row = y.way_behind(row, leap);
+    const double to_column = x.way_behind(column, cell.leap);
+    const double to_row = y.way_behind(row, cell.leap);
     const bool is_along_x = to_column < to_row;
     way = std::min(to_column, to_row);
+    for (std::uint32_t i = cell.openings; i < cell.end; ++i) {
+      const double distance = distance_to(in_cells_[i], origin, direction);
+      if (distance <= way && distance < hit.distance &&
+          std::abs(range - distance) < std::abs(range - hit.opening))
+        hit.opening = distance;
+    }
     if (hit.distance <= way || way > end) return hit;
-    const int beside_x =
-        std::clamp(static_cast<int>(x.at(way)), column - leap + 1, column + leap - 1);
-    const int beside_y = std::clamp(static_cast<int>(y.at(way)), row - leap + 1, row + leap - 1);
-    column = is_along_x ? x.behind(column, leap) : beside_x;
-    row = is_along_x ? beside_y : y.behind(row, leap);
+    const int beside = cell.leap - 1;
+    const int beside_x = std::clamp(static_cast<int>(x.at(way)), column - beside, column + beside);
+    const int beside_y = std::clamp(static_cast<int>(y.at(way)), row - beside, row + beside);
+    column = is_along_x ? x.behind(column, cell.leap) : beside_x;
+    row = is_along_x ? beside_y : y.behind(row, cell.leap);
     if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return hit;
   }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -18,19 +19,22 @@ namespace perceptor::localize {
 struct RayHit {
   std::size_t line = 0;  ///< in the order in which they were added
   double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinite: none is met
+  double opening = std::numeric_limits<double>::infinity();   ///< [m]; infinite: none was passed
 };
 
 class Rays {
  public:
   void add(const Segment& segment);
 
+  /// A line that rays pass.
+  void add_opening(const Segment& segment);
+
   /// After the last line, before the first ray.
   void sort();
 
-  /// `direction` is a unit vector. Of what is farther than `reach` [m] nothing is said, or it is
-  /// met: whatever is found first.
-  RayHit first(const Vector2& origin, const Vector2& direction,
-               double reach = std::numeric_limits<double>::infinity()) const;
+  /// `direction` is a unit vector. Of the openings before the line that is met, the one nearest to
+  /// `range` [m] is told.
+  RayHit first(const Vector2& origin, const Vector2& direction, double range = 0.0) const;
 
   /// Calls `take(line)` for each line that may come within `reach` [m] of `place`; for some of them
   /// more than once.
@@ -46,8 +50,8 @@ class Rays {
     for (int row = static_cast<int>(first_row); row < static_cast<int>(end_row); ++row)
       for (int column = static_cast<int>(first_column); column < static_cast<int>(end_column);
            ++column) {
-        const std::size_t cell = cell_at(column, row);
-        for (std::size_t i = begins_[cell]; i < begins_[cell + 1]; ++i) take(in_cells_[i].line);
+        const Cell& cell = cells_[cell_at(column, row)];
+        for (std::uint32_t i = cell.begin; i < cell.openings; ++i) take(in_cells_[i].line);
       }
   }
 
@@ -57,19 +61,28 @@ class Rays {
     std::size_t line;
   };
 
+  /// In in_cells_: its lines, then its openings.
+  struct Cell {
+    std::uint32_t begin, openings, end;
+    int leap;  ///< so many cells on in any direction there may be something; at least 1
+  };
+
+  static Item item_of(const Segment& segment, std::size_t line);
   static double distance_to(const Item& item, const Vector2& origin, const Vector2& direction);
   std::size_t cell_at(int column, int row) const;
+  void lay_cells();
+  std::uint32_t add_to_cells(const std::vector<Item>& items, const Vector2& low,
+                             const Vector2& high);
   void measure_leaps();
 
   std::vector<Item> lines_;
+  std::vector<Item> openings_;
   Vector2 corner_ = Vector2::Zero();  ///< [m] of the first cell
   double cell_ = 1.0;                 ///< [m] side of a cell
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::size_t> begins_;  ///< for each cell and one more: where its lines begin
-  std::vector<Item> in_cells_;       ///< the lines of each cell, cell after cell
-  std::vector<int> leaps_;  ///< of each cell: so many cells on in any direction a line may be; at
-                            ///< least 1
+  std::vector<Cell> cells_;
+  std::vector<Item> in_cells_;
 };
 
 }  // namespace perceptor::localize

@@ -32,10 +32,10 @@ World::World(const Map& global_map, const WorldParameters& parameters) {
       drawn_doors.push_back(segment(global_map, object));
     }
   }
-  solid_.sort();
+  rays_.sort();
   for (Front& front : fronts_) find_gaps(front, parameters);
   find_doorways(drawn_doors, parameters);
-  doors_.sort();
+  rays_.sort();
   for (std::size_t i = 0; i < fronts_.size(); ++i) {
     Front& front = fronts_[i];
     for (const auto* pieces : {&front.pieces, &front.gaps})
@@ -60,13 +60,13 @@ void World::find_gaps(Front& front, const WorldParameters& parameters) {
 
 void World::find_doorways(const std::vector<Segment>& drawn, const WorldParameters& parameters) {
   for (const Segment& door : drawn) {
-    doors_.add(door);
+    rays_.add_opening(door);
     if (!join_doorway(door, parameters)) doorways_.push_back({door, 0.0});
   }
   for (const Front& front : fronts_)
     for (const Interval& gap : front.gaps) {
       const Segment opening{point_at(front.line, gap.from), point_at(front.line, gap.to)};
-      doors_.add(opening);
+      rays_.add_opening(opening);
       if (!join_doorway(opening, parameters) && drawn.empty()) doorways_.push_back({opening, 0.0});
     }
 }
@@ -76,7 +76,7 @@ bool World::is_doorway(const Front& front, const Interval& gap,
   if (gap.length() < parameters.min_door || gap.length() > parameters.max_door) return false;
   const Vector2& along = front.line.along;
   const Vector2 place = point_at(front.line, gap.middle());
-  return solid_.first(place, -front.line.normal).distance > parameters.behind &&
+  return rays_.first(place, -front.line.normal).distance > parameters.behind &&
          !runs_into(point_at(front.line, gap.from), along, parameters) &&
          !runs_into(point_at(front.line, gap.to), -along, parameters);
 }
@@ -116,7 +116,7 @@ bool World::join_doorway(const Segment& opening, const WorldParameters& paramete
 void World::add_face(const Segment& segment, std::size_t object, bool is_wall) {
   const Line line = line_of(segment);
   faces_.push_back({segment, line, object});
-  solid_.add(segment);
+  rays_.add(segment);
   auto front =
       std::ranges::find_if(fronts_, [&](const Front& known) { return is_in_line(known, line); });
   if (front == fronts_.end()) front = fronts_.insert(front, Front{line, {}, {}, {}, 0.0});
@@ -129,7 +129,7 @@ const Face* World::nearest_face(const Vector2& place, const Vector2& direction, 
                                 double min_cosine) const {
   const Face* nearest = nullptr;
   double least = reach;
-  solid_.for_lines_near(place, reach, [&](std::size_t line) {
+  rays_.for_lines_near(place, reach, [&](std::size_t line) {
     const Face& face = faces_[line];
     if (face.line.normal.dot(direction) < min_cosine) return;
     const double away = distance(face.segment, place);
@@ -141,16 +141,8 @@ const Face* World::nearest_face(const Vector2& place, const Vector2& direction, 
 }
 
 Met World::meet(const Vector2& origin, const Vector2& direction, double range) const {
-  constexpr double kBeyond = 1e-6;  // [m] from an opening, to look for the next one
-  Met met{solid_.first(origin, direction).distance, std::numeric_limits<double>::infinity()};
-  for (double passed = 0.0; passed < range;) {
-    const Vector2 place = origin + passed * direction;
-    const double door = passed + doors_.first(place, direction, met.face - passed).distance;
-    if (door >= met.face) break;
-    if (std::abs(range - door) < std::abs(range - met.door)) met.door = door;
-    passed = door + kBeyond;
-  }
-  return met;
+  const RayHit hit = rays_.first(origin, direction, range);
+  return {hit.distance, hit.opening};
 }
 
 }  // namespace perceptor::localize

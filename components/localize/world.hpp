@@ -79,7 +79,7 @@ class World {
 
   /// Which of faces() a ray meets first.
   RayHit meet_face(const Vector2& origin, const Vector2& direction) const {
-    return solid_.first(origin, direction);
+    return rays_.first(origin, direction);
   }
 
   /// The face nearest to `place`, within `reach` [m], of those that are seen from `direction` (a
@@ -99,8 +99,7 @@ class World {
   std::vector<Front> fronts_;
   std::vector<Doorway> doorways_;
   std::vector<std::pair<double, std::size_t>> by_angle_;  ///< of fronts_, in order
-  Rays solid_;
-  Rays doors_;
+  Rays rays_;                                             ///< at the faces; doors are openings
 };
 
 }  // namespace perceptor::localize

@@ -67,24 +67,32 @@ TEST(Rays, MeetWhatALookAtEachLineFinds) {
   EXPECT_GT(met, 1000);
 }
 
-TEST(Rays, WithinReachFindTheSame) {
+TEST(Rays, TellTheOpeningNearestToTheRangeOfThoseBeforeTheLine) {
   std::mt19937_64 random(13);
   const std::vector<Segment> lines = random_lines(random);
-  const Rays rays = sorted(lines);
-  int within = 0;
+  const std::vector<Segment> openings = random_lines(random);
+  Rays rays;
+  for (const Segment& line : lines) rays.add(line);
+  for (const Segment& opening : openings) rays.add_opening(opening);
+  rays.sort();
+  int passed = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vector2 origin(1.5 * place(random), place(random) / 3.0);
     const double bearing = place(random);
     const Vector2 direction(std::cos(bearing), std::sin(bearing));
-    const double reach = std::abs(place(random)) / 4.0;
-    const RayHit everywhere = rays.first(origin, direction);
-    const RayHit near = rays.first(origin, direction, reach);
-    EXPECT_EQ(near.distance <= reach, everywhere.distance <= reach);
-    if (near.distance > reach) continue;
-    EXPECT_EQ(near.line, everywhere.line);
-    ++within;
+    const double range = std::abs(place(random)) / 4.0;
+    const RayHit hit = rays.first(origin, direction, range);
+    const double met = brute_force(lines, origin, direction);
+    EXPECT_TRUE(hit.distance == met || std::abs(hit.distance - met) < 1e-9);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Segment& opening : openings) {
+      const double at = brute_force({opening}, origin, direction);
+      if (at < met && std::abs(range - at) < std::abs(range - nearest)) nearest = at;
+    }
+    EXPECT_TRUE(hit.opening == nearest || std::abs(hit.opening - nearest) < 1e-9);
+    if (std::isfinite(nearest)) ++passed;
   }
-  EXPECT_GT(within, 500);
+  EXPECT_GT(passed, 500);
 }
 
 TEST(Rays, LeapOverWhatIsEmptyAndMissNothingBehindIt) {
