@@ -82,14 +82,17 @@ void Rays::sort() {
   in_cells_.clear();
   if (lines_.empty() && openings_.empty()) return;
   lay_cells();
+  const auto filled = [this] { return static_cast<std::uint32_t>(in_cells_.size()); };
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {
       const Vector2 low = corner_ + cell_ * Vector2(column, row) - Vector2(kMargin, kMargin);
       const Vector2 high = low + Vector2(cell_ + 2.0 * kMargin, cell_ + 2.0 * kMargin);
       Cell& cell = cells_.emplace_back();
-      cell.begin = add_to_cells({}, low, high);
-      cell.openings = add_to_cells(lines_, low, high);
-      cell.end = add_to_cells(openings_, low, high);
+      cell.begin = filled();
+      add_to_cell(lines_, low, high);
+      cell.openings = filled();
+      add_to_cell(openings_, low, high);
+      cell.end = filled();
     }
   measure_leaps();
 }
@@ -113,13 +116,11 @@ void Rays::lay_cells() {
   rows_ = static_cast<int>(size.y() / cell_) + 1;
 }
 
-/// Those that have a point between `low` and `high`. Gives where they end.
-std::uint32_t Rays::add_to_cells(const std::vector<Item>& items, const Vector2& low,
-                                 const Vector2& high) {
+/// Those that have a point between `low` and `high`.
+void Rays::add_to_cell(const std::vector<Item>& items, const Vector2& low, const Vector2& high) {
   for (const Item& item : items)
     if (reaches({{item.ax, item.ay}, {item.ax + item.dx, item.ay + item.dy}}, low, high))
       in_cells_.push_back(item);
-  return static_cast<std::uint32_t>(in_cells_.size());
 }
 
 /// The distance to the nearest cell with a line in it, a diagonal step as long as a straight one

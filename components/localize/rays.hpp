@@ -71,8 +71,7 @@ class Rays {
   static double distance_to(const Item& item, const Vector2& origin, const Vector2& direction);
   std::size_t cell_at(int column, int row) const;
   void lay_cells();
-  std::uint32_t add_to_cells(const std::vector<Item>& items, const Vector2& low,
-                             const Vector2& high);
+  void add_to_cell(const std::vector<Item>& items, const Vector2& low, const Vector2& high);
   void measure_leaps();
 
   std::vector<Item> lines_;
