@@ -9,9 +9,11 @@ namespace perceptor {
 
 namespace {
 
-/// Messages of a channel that LCM holds until they are checked, of up to 64 kB each. What is beyond
-/// that LCM drops in silence; their numbers are missed.
+/// Messages that LCM holds until they are checked, of up to 64 kB each: of one channel, and of all
+/// where they come through one subscription. What is beyond that LCM drops in silence; their
+/// numbers are missed.
 constexpr int kUnchecked = 500;
+constexpr int kUncheckedOfAll = 3000;
 
 constexpr int kAtOnce = 1000;  // messages that are checked before one is handled
 
@@ -41,7 +43,7 @@ Bus::~Bus() {
     lcm_unsubscribe(input_.getUnderlyingLCM(), subscription->handle);
 }
 
-void Bus::subscribe_buffers(const std::string& channel, TakeBuffer take) {
+void Bus::subscribe_buffers(const std::string& channel, int capacity, TakeBuffer take) {
   auto& subscription =
       *subscriptions_.emplace_back(std::make_unique<Subscription>(std::move(take)));
   subscription.handle = lcm_subscribe(
@@ -50,14 +52,15 @@ void Bus::subscribe_buffers(const std::string& channel, TakeBuffer take) {
         static_cast<Subscription*>(self)->take(*buffer, name);
       },
       &subscription);
-  lcm_subscription_set_queue_capacity(subscription.handle, kUnchecked);
+  lcm_subscription_set_queue_capacity(subscription.handle, capacity);
 }
 
 void Bus::subscribe_bytes(const std::string& channel, std::function<std::string_view(Bytes)> take,
                           bool waits) {
   status_.add_input(channel, waits);
   subscribe_buffers(
-      channel, [this, channel, take = std::move(take)](const lcm_recv_buf_t& buffer, const char*) {
+      channel, kUnchecked,
+      [this, channel, take = std::move(take)](const lcm_recv_buf_t& buffer, const char*) {
         receive(channel, buffer, take);
       });
 }
@@ -125,8 +128,9 @@ void Bus::handle(const Waiting& message) {
 void Bus::subscribe_all(TakeAnything take) {
   takes_all_ = true;
   subscribe_buffers(
-      ".*", [this, take = std::move(take), watches = std::map<std::string, ContinuityWatch>()](
-                const lcm_recv_buf_t& buffer, const char* name) mutable {
+      ".*", kUncheckedOfAll,
+      [this, take = std::move(take), watches = std::map<std::string, ContinuityWatch>()](
+          const lcm_recv_buf_t& buffer, const char* name) mutable {
         const std::string channel = name;
         if (channel == kLcmToItself) return;
         const std::string listed = listed_as(channel);

@@ -112,7 +112,8 @@ class Bus {
     bool began_anew;
   };
 
-  void subscribe_buffers(const std::string& channel, TakeBuffer take);
+  /// `capacity`: messages that LCM holds for it.
+  void subscribe_buffers(const std::string& channel, int capacity, TakeBuffer take);
 
   /// Counts the message, and what `take` says of it, among those of `channel`.
   void receive(const std::string& channel, const lcm_recv_buf_t& buffer,

@@ -25,13 +25,14 @@ struct CloseFile {
 using Pipe = std::unique_ptr<std::FILE, CloseFile>;
 
 // What goes through the pipe: first why the bag cannot be read (empty: it can) and the number of
-// its messages, then four parts for each message. A part is its length and its bytes.
+// its messages, then four parts for each message. A part is its length and its bytes; an empty one
+// may have no address, which fwrite and fread must not be given.
 
 template <class Bytes>
 void write_part(std::FILE* pipe, const Bytes& bytes) {
   const std::uint64_t size = bytes.size();
   std::fwrite(&size, sizeof(size), 1, pipe);
-  std::fwrite(bytes.data(), 1, bytes.size(), pipe);
+  if (!bytes.empty()) std::fwrite(bytes.data(), 1, bytes.size(), pipe);
 }
 
 /// False where the pipe has ended before.
@@ -40,7 +41,7 @@ bool read_part(std::FILE* pipe, Bytes& bytes) {
   std::uint64_t size = 0;
   if (std::fread(&size, sizeof(size), 1, pipe) != 1) return false;
   bytes.resize(size);
-  return std::fread(bytes.data(), 1, bytes.size(), pipe) == bytes.size();
+  return bytes.empty() || std::fread(bytes.data(), 1, bytes.size(), pipe) == bytes.size();
 }
 
 std::vector<std::uint8_t> bytes_of(const rosbag::MessageInstance& message) {
