@@ -8,7 +8,7 @@
 namespace perceptor::localize {
 namespace {
 
-constexpr double kLeastCell = 1.0;       // [m]
+constexpr double kLeastCell = 0.5;       // [m]
 constexpr double kMostCells = 40'000.0;  // of a building however large
 constexpr double kMargin = 1e-6;         // [m] lines on the edge of a cell are in both
 
