@@ -36,7 +36,7 @@ LATER = ("its scan or CURRENT_MAP never came", "before the first position",
          "after the last position", "positions around it too far apart",
          "waited too long for a position", TOO_SLOW)
 GROWTH = 1.1  # of resident memory: more is not flat
-RECORDERS_QUEUE = 4.0  # [MB] that fills once, whenever that is: 3000 messages of all channels
+RECORDERS_QUEUE = 10.0  # [MB] that fills once, at any time: 3000 messages of some kB each
 COUNTS = (-1, -2**31, 2**31 - 1, 0x10000000, 0x20000000, 10**8)
 OURS = {"PICO_LASER": "laser_scan_t", "PICO_ODOMETRY": "odometry_t", "POSITION": "position_t",
         "CURRENT_MAP": "map_t", "LOCAL_MAP": "map_t", "GLOBAL_MAP": "map_t",
