@@ -12,6 +12,7 @@
 #include "common/messages/convert.hpp"
 #include "tests/process/harness.hpp"
 #include "tests/support/recorded_data.hpp"
+#include "tests/support/sanitized.hpp"
 #include "tools/eval/pose_reference.hpp"
 #include "tools/eval/quantile.hpp"
 
@@ -62,7 +63,7 @@ TEST_P(KnownBuilding, RobotIsWhereItIsSaidToBe) {
            {program("pico-convert"), scratch / "drive.log", scratch / "in.lcmlog"},
            {program("pico-replay"), scratch / "in.lcmlog", scratch / "out.lcmlog", "--set",
             "scan.aligner.max_gap=3", "--config-dir", config, "--map", scratch / "wean.json"}}) {
-    const Finished finished = run(command, Seconds(900));
+    const Finished finished = run(command, Seconds(kSanitized ? 900 : 300));
     ASSERT_EQ(finished.exit_code, 0) << finished.output;
   }
 
