@@ -103,6 +103,7 @@ class RosTest : public RosFixture {
     start_robot(robot);
     start_bridge();
     ASSERT_TRUE(data_comes(Seconds(10))) << said_by_bridge();
+    ASSERT_TRUE(robot_hears(Seconds(10))) << said_by_bridge();
   }
 
   /// Takes what comes for so long.
@@ -114,6 +115,10 @@ class RosTest : public RosFixture {
     scans_.clear();
     odometries_.clear();
     return status_.wait_until([&] { return !scans_.empty() && !odometries_.empty(); }, at_most);
+  }
+  /// Whoever begins to listen is told to stand still: what is said before that reaches nobody.
+  bool robot_hears(Seconds at_most) {
+    return status_.wait_until([&] { return !journal().velocities.empty(); }, at_most);
   }
   const pico::status_t& bridge_status() { return status_.last("bridge"); }
   bool status_says(const std::string& text, Seconds at_most = Seconds(5)) {
