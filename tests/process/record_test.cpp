@@ -61,9 +61,10 @@ TEST_F(RecordTest, AFullDiskCostsWholeMessagesIsToldAndIsNotTheEnd) {
   // Its files may grow to 100 kB: to who writes, that is a full disk.
   Process record(command({"prlimit", "--fsize=100000:unlimited"}));
   ASSERT_TRUE(status_.wait_for({"record"}));
-  send(300);
-  EXPECT_TRUE(status_.wait_until([&] { return lost() > 0; }, Seconds(2)));
+  // While messages come: once they have ended, its own STATUS may find room, and all is well.
+  while (!says("not recording: cannot write") && sent_ < 2000) send(1);
   EXPECT_TRUE(says("not recording: cannot write")) << status_.last("record").note;
+  EXPECT_GT(lost(), 0);
   EXPECT_TRUE(status_.last("record").degraded);
   ASSERT_TRUE(has_seen_all());
 
