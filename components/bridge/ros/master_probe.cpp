@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <thread>
 #include <utility>
 
 #include <netdb.h>
@@ -32,47 +34,34 @@ bool is_success(std::string_view reply) {
   return reply.starts_with("HTTP/1.") && reply.substr(8, 4) == " 200";
 }
 
-/// The address of a host, looked up in the background.
+/// The address of a host, looked up by a thread of its own. It cannot be called off: whoever no
+/// longer wants to know leaves it behind.
 class Lookup {
  public:
-  explicit Lookup(const MasterAddress& master) : request_(std::make_unique<Request>()) {
-    request_->master = master;
-    request_->hints.ai_family = AF_INET;  // as roscpp, unless told otherwise
-    request_->hints.ai_socktype = SOCK_STREAM;
-    request_->control.ar_name = request_->master.host.c_str();
-    request_->control.ar_service = request_->master.port.c_str();
-    request_->control.ar_request = &request_->hints;
-    std::array<gaicb*, 1> list{&request_->control};
-    getaddrinfo_a(GAI_NOWAIT, list.data(), 1, nullptr);
+  explicit Lookup(const MasterAddress& master) : found_(std::make_shared<Found>()) {
+    std::thread([master, found = found_] {
+      addrinfo hints{};
+      hints.ai_family = AF_INET;  // as roscpp, unless told otherwise
+      hints.ai_socktype = SOCK_STREAM;
+      addrinfo* addresses = nullptr;
+      if (getaddrinfo(master.host.c_str(), master.port.c_str(), &hints, &addresses) == 0)
+        found->addresses.reset(addresses);
+      found->is_done = true;
+    }).detach();
   }
-  ~Lookup() {
-    // What cannot be called off still writes there, at some time.
-    if (gai_cancel(&request_->control) == EAI_NOTCANCELED) (void)request_.release();
-  }
-  Lookup(const Lookup&) = delete;
-  Lookup& operator=(const Lookup&) = delete;
 
   Answer answer() const {
-    const int error = gai_error(&request_->control);
-    if (error == EAI_INPROGRESS) return Answer::not_yet;
-    return error == 0 && result() != nullptr ? Answer::yes : Answer::no;
+    if (!found_->is_done) return Answer::not_yet;
+    return result() != nullptr ? Answer::yes : Answer::no;
   }
-  const addrinfo* result() const { return request_->control.ar_result; }
+  const addrinfo* result() const { return found_->addresses.get(); }
 
  private:
-  struct Request {
-    MasterAddress master;
-    addrinfo hints{};
-    gaicb control{};
-
-    Request() = default;
-    Request(const Request&) = delete;
-    Request& operator=(const Request&) = delete;
-    ~Request() {
-      if (control.ar_result != nullptr) freeaddrinfo(control.ar_result);
-    }
+  struct Found {
+    std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> addresses{nullptr, &freeaddrinfo};
+    std::atomic<bool> is_done = false;
   };
-  std::unique_ptr<Request> request_;
+  std::shared_ptr<Found> found_;
 };
 
 /// A connection that never waits.
