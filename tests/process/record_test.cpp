@@ -1,8 +1,10 @@
 /// The recorder lives through a full disk and its own death, and says what that cost.
 #include <csignal>
+#include <thread>
 
 #include <gtest/gtest.h>
 
+#include "common/bus/bus.hpp"
 #include "common/log/event_log.hpp"
 #include "tests/process/harness.hpp"
 
@@ -96,6 +98,31 @@ TEST_F(RecordTest, OneThatIsKilledGoesOnBehindTheLastWholeMessage) {
   send(100);
   EXPECT_EQ(record.stop(), 0);
   EXPECT_EQ(recorded(), 200);
+}
+
+/// LCM counts for each subscription what waits for it, and finds by name what to hand it: a message
+/// that came before the subscription is handed to it as well, at the cost of a later one. LCM's
+/// test of itself leaves such a message where a process is slow to start.
+TEST(ARecordersBus, HandsOnTheFirstMessageAlsoBehindLcmsTestOfItself) {
+  constexpr const char* kItself = "LCM_SELF_TEST";
+  const auto arrives = [] { std::this_thread::sleep_for(Seconds(0.2)); };
+  lcm::LCM lcm;
+  lcm_subscribe(
+      lcm.getUnderlyingLCM(), kItself, [](const lcm_recv_buf_t*, const char*, void*) {}, nullptr);
+  lcm.publish(kItself, "", 0);
+  arrives();
+  Status status("record", 1);
+  Bus bus(lcm, lcm, status);
+  std::vector<std::string> heard;
+  bus.subscribe_all([&](const Bus::Anything& message) -> std::string_view {
+    heard.push_back(message.channel);
+    return {};
+  });
+  for (const char* channel : {"FIRST", "SECOND"}) lcm.publish(channel, "", 0);
+  arrives();
+  while (lcm.handleTimeout(0) > 0) {
+  }
+  EXPECT_EQ(heard, (std::vector<std::string>{"FIRST", "SECOND"}));
 }
 
 TEST_F(RecordTest, ItsOwnLastWordIsInTheRecording) {
