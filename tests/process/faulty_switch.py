@@ -106,9 +106,12 @@ class Switch(bus_record.Record):
             wait = self.waiting[0][0] - time.monotonic() if self.waiting else 0.1
             for key, _ in self.selector.select(min(max(wait, 0.0), 0.1)):
                 self._read(key.fd, key.data)
-            while self.waiting and self.waiting[0][0] <= time.monotonic():
-                _, _, name, packet = heapq.heappop(self.waiting)
-                self._deliver(name, packet)
+            self._deliver_what_is_due(time.monotonic())
+
+    def _deliver_what_is_due(self, now):
+        while self.waiting and self.waiting[0][0] <= now:
+            _, _, name, packet = heapq.heappop(self.waiting)
+            self._deliver(name, packet)
 
     def _read(self, end, sender):
         for _ in range(50):  # others have their turn
@@ -128,6 +131,7 @@ class Switch(bus_record.Record):
             return
         message = bus_messages.parse(packet[header + 8:])
         now, fate, fates = time.monotonic(), self.fate, {}
+        self._deliver_what_is_due(now)  # a stall's last is not overtaken
         if message:
             self.take(sender, message, fates)
         for name in self.ends:
