@@ -102,8 +102,8 @@ class RosTest : public RosFixture {
     start_master();
     start_robot(robot);
     start_bridge();
-    ASSERT_TRUE(data_comes(Seconds(10))) << said_by_bridge();
     ASSERT_TRUE(robot_hears(Seconds(10))) << said_by_bridge();
+    ASSERT_TRUE(data_comes(Seconds(10))) << said_by_bridge();
   }
 
   /// Takes what comes for so long.
