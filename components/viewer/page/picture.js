@@ -79,7 +79,10 @@ function middle(places) {
 
 function distanceTo(look, places, x, y) {
   const joins = ["line", "polygon", "arrow"].includes(look.shape);
-  if (!joins) return Math.min(...places.map((place) => Math.hypot(place.x - x, place.y - y)));
+  if (!joins) {
+    const fromMiddles = places.map((place) => Math.hypot(place.x - x, place.y - y));
+    return Math.max(0, Math.min(...fromMiddles) - look.width);
+  }
   if (look.shape === "polygon" && isInside(places, x, y)) return REACH; // its edges come before it
   const ends = look.shape === "polygon" ? [...places, places[0]] : places;
   let nearest = Infinity;
