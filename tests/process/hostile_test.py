@@ -356,8 +356,6 @@ def main():
 if __name__ == "__main__":
     parser = command_line(__doc__)
     parser.add_argument("--seconds", type=float, default=8.0, help="at full speed")
-    parser.add_argument("--sanitized", action="store_true",
-                        help="a sanitizer watches the programs: their size tells nothing")
     options = read_options(parser)
     TYPES = bus_messages.generated_types(options.out)
     LOG = options.out / "hostile.lcmlog"

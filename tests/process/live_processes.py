@@ -21,6 +21,8 @@ def command_line(description):
     parser = argparse.ArgumentParser(description=description.partition("\n\n")[0])
     parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
     parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
+    parser.add_argument("--sanitized", action="store_true", help="a sanitizer watches the "
+                        "programs: their size and speed tell nothing")
     return parser
 
 
