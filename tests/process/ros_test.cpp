@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -98,12 +99,13 @@ class RosTest : public RosFixture {
         std::vector<std::string>{program("pico-bridge"), "--source", "ros"},
         scratch_ / "bridge.log");
   }
+  /// Throws, which ends the test, where they do not hear each other.
   void start_all(const std::vector<std::string>& robot = {}) {
     start_master();
     start_robot(robot);
     start_bridge();
-    ASSERT_TRUE(robot_hears(Seconds(10))) << said_by_bridge();
-    ASSERT_TRUE(data_comes(Seconds(10))) << said_by_bridge();
+    if (!robot_hears(Seconds(10))) throw std::runtime_error("not heard: " + said_by_bridge());
+    if (!data_comes(Seconds(10))) throw std::runtime_error("no data: " + said_by_bridge());
   }
 
   /// Takes what comes for so long.
