@@ -12,11 +12,14 @@
 #include "tests/process/harness.hpp"
 #include "tests/replay/recording_text.hpp"
 #include "tests/support/recorded_data.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace perceptor::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kPace = kSanitized ? 0.2 : 1.0;  // a sanitizer's programs are slower
 
 struct RecordedRun {
   const char* name;
@@ -106,7 +109,7 @@ TEST_P(RecordedRuns, EveryScanAndBeamIsAccountedFor) {
   const fs::path live = scratch / "live.lcmlog";
   Heard heard;
   Finished check;
-  for (const double speed : {run_of.speed, 0.2 * run_of.speed}) {
+  for (const double speed : {kPace * run_of.speed, 0.2 * kPace * run_of.speed}) {
     fs::remove(live);
     Recording recording(live, options);
     const Finished bridge = run({program("pico-bridge"), "--source", "log:" + converted.string(),
