@@ -71,7 +71,7 @@ void describe(config::Fields& fields, SearchParameters& p) {
   fields.number("climb", p.climb, {1e-4, 1.0}, "[m] and [rad] first step uphill from there");
   fields.number("climb_end", p.climb_end, {1e-4, 1.0}, "[m] and [rad] least step");
   fields.number("view", p.view, {1e-3, 100.0},
-                "[m] after moving so far a scan is evidence of its own");
+                "[m] so far from all before a scan is evidence of its own");
   fields.number("view_angle", p.view_angle, {1e-3, 100.0}, "[rad] or after turning so far");
   fields.number("turned_views", p.turned_views, {0.0, 100.0},
                 "turning around shows no more than so many");

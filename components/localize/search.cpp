@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "common/geometry/angle.hpp"
@@ -152,10 +153,13 @@ Hypothesis follow(const World& world, const Position& local_in_world, const Ques
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
   double moved = 0.0;
   double turned = 0.0;
-  for (std::size_t i = 1; i < keyframes.size(); ++i) {
-    const Position step = relative(keyframes[i - 1].robot_in_local, keyframes[i].robot_in_local);
-    moved += step.location().norm();
-    turned += std::abs(step.a);
+  for (auto view = keyframes.begin() + 1; view < keyframes.end(); ++view) {
+    double from_nearest = std::numeric_limits<double>::infinity();
+    for (auto earlier = keyframes.begin(); earlier < view; ++earlier)
+      from_nearest = std::min(from_nearest, distance(earlier->robot_in_local.location(),
+                                                     view->robot_in_local.location()));
+    moved += from_nearest;
+    turned += std::abs(relative((view - 1)->robot_in_local, view->robot_in_local).a);
   }
   return 1.0 + moved / parameters.view +
          std::min(parameters.turned_views, turned / parameters.view_angle);

@@ -27,7 +27,7 @@ struct SearchParameters {
   int glances = 150;            ///< candidates that are looked at closer
   double climb = 0.1;           ///< [m] and [rad] first step uphill from these, then its halves
   double climb_end = 0.01;      ///< [m] and [rad] the least step
-  double view = 0.5;            ///< [m] after moving so far a scan is evidence of its own
+  double view = 0.5;            ///< [m] so far from all before a scan is evidence of its own
   double view_angle = 2.0;      ///< [rad] or after turning so far
   double turned_views = 2.0;    ///< turning around shows no more than so many
   double view_exponent = 0.75;  ///< of the views: 0 if all were wrong in the same way, 1 if each
@@ -79,7 +79,7 @@ std::vector<Hypothesis> search(const World& world, const Question& question,
                                const SearchParameters& parameters);
 
 /// How many scans' worth of evidence the keyframes are: what was seen from nearly one pose is wrong
-/// in the same way each time.
+/// in the same way each time. Who comes back to where it was sees nothing new.
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters);
 
 bool is_same_place(const Position& p, const Position& q, const SearchParameters& parameters);

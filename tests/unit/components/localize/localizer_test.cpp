@@ -116,6 +116,14 @@ TEST(Views, TurningAroundShowsNoMoreThanTwo) {
   EXPECT_EQ(views(keyframes, {}), 5.0);
 }
 
+TEST(Views, ComingBackShowsNothingNew) {
+  std::vector<Keyframe> keyframes;
+  for (const double x : {0.0, 0.5, 1.0}) keyframes.push_back({{x, 0.0, 0.0}, {}, 0.0});
+  EXPECT_EQ(views(keyframes, {}), 3.0);
+  for (const double x : {0.75, 0.5, 0.0, 0.5}) keyframes.push_back({{x, 0.0, 0.0}, {}, 0.0});
+  EXPECT_EQ(views(keyframes, {}), 3.5);
+}
+
 /// A robot that turns in place, and then drives on, somewhere in a building.
 class Drive {
  public:
