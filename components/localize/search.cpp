@@ -153,13 +153,14 @@ Hypothesis follow(const World& world, const Position& local_in_world, const Ques
 double views(const std::vector<Keyframe>& keyframes, const SearchParameters& parameters) {
   double moved = 0.0;
   double turned = 0.0;
-  for (auto view = keyframes.begin() + 1; view < keyframes.end(); ++view) {
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const Position& here = keyframes[i].robot_in_local;
     double from_nearest = std::numeric_limits<double>::infinity();
-    for (auto earlier = keyframes.begin(); earlier < view; ++earlier)
-      from_nearest = std::min(from_nearest, distance(earlier->robot_in_local.location(),
-                                                     view->robot_in_local.location()));
+    for (std::size_t j = 0; j < i; ++j)
+      from_nearest =
+          std::min(from_nearest, distance(keyframes[j].robot_in_local.location(), here.location()));
     moved += from_nearest;
-    turned += std::abs(relative((view - 1)->robot_in_local, view->robot_in_local).a);
+    turned += std::abs(relative(keyframes[i - 1].robot_in_local, here).a);
   }
   return 1.0 + moved / parameters.view +
          std::min(parameters.turned_views, turned / parameters.view_angle);
