@@ -131,7 +131,8 @@ void describe(config::Fields& fields, UnknownObjectParameters& p) {
   fields.number("most", p.most, kBeams, "a cell's count is no larger");
   fields.number("least", p.least, kBeams, "of a cell of a static object");
   fields.number("min_age", p.min_age, kSeconds, "[s] that such a cell was hit");
-  fields.number("lone_age", p.lone_age, kSeconds, "[s] the same, where no other cell is beside it");
+  fields.integer("few", p.few, {0, 1000}, "a thing of no more cells may be a person");
+  fields.number("few_age", p.few_age, kSeconds, "[s] that one of its cells has to be hit instead");
   fields.number("pause", p.pause, kSeconds, "[s] without a beam, and that time begins anew");
   fields.number("object", p.object, kBeams, "least count of a static object, over its cells");
   fields.number("moving", p.moving, kBeams, "the same of a dynamic one");

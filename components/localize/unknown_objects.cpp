@@ -121,7 +121,9 @@ std::vector<UnknownObject> UnknownObjects::objects(std::int64_t utime) {
         own.insert(own.end(), apart, left->end());
         left->erase(apart, left->end());
       }
-      if (stay && own.size() == 1 && own.front()->stayed < parameters_.lone_age) continue;
+      const auto stayed = [&](const Cell* cell) { return cell->stayed >= parameters_.few_age; };
+      const bool may_be_person = own.size() <= static_cast<std::size_t>(parameters_.few);
+      if (stay && may_be_person && std::ranges::none_of(own, stayed)) continue;
       UnknownObject object;
       object.is_static = stay;
       object.first_seen = own.front()->first_hit;

@@ -23,7 +23,8 @@ struct UnknownObjectParameters {
   double most = 30.0;      ///< a cell's count is no larger: it can be forgotten
   double least = 6.0;      ///< of a static cell
   double min_age = 2.7;    ///< [s] that a cell was hit, then it is static until it is passed
-  double lone_age = 5.0;   ///< [s] the same of a cell alone: where people turn back they stay too
+  int few = 3;             ///< a thing of no more cells may be a person about to turn back
+  double few_age = 5.0;    ///< [s] that one of these cells has to be hit instead
   double pause = 0.7;      ///< [s] without a beam, and that time begins anew
   double object = 20.0;    ///< least count of a static object, over its cells
   double moving = 3.0;     ///< least count of a dynamic one

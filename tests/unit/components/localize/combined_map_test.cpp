@@ -153,18 +153,38 @@ TEST_F(CombinedMapTest, ForgetsAllWhenThePlaceWasWrong) {
   for (const Object& wall : objects(ObjectType::wall)) EXPECT_EQ(wall.reason, "unseen");
 }
 
-TEST(UnknownObjects, WhatIsNarrowHasToStayForLonger) {
-  UnknownObjects objects({});
-  std::int64_t utime = 0;
-  const auto statics_after = [&](double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 10.0); ++i) {
-      utime += 100'000;
-      objects.add({{{0.0, 0.0}, {1.0, 0.0}, 2.05}}, {true}, utime);
+/// Of so many cells side by side, hit ten times a second.
+class StandingThing {
+ public:
+  explicit StandingThing(int cells) : is_unknown_(static_cast<std::size_t>(cells), true) {
+    for (int i = 0; i < cells; ++i) {
+      const Vector2 end(2.05, 0.1 * i + 0.05);
+      beams_.push_back({Vector2::Zero(), unit(end), end.norm()});
     }
-    return std::ranges::count_if(objects.objects(utime), &UnknownObject::is_static);
-  };
-  EXPECT_EQ(statics_after(3.0), 0);
-  EXPECT_EQ(statics_after(3.0), 1);
+  }
+
+  std::ptrdiff_t statics_after(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 10.0); ++i) {
+      utime_ += 100'000;
+      objects_.add(beams_, is_unknown_, utime_);
+    }
+    return std::ranges::count_if(objects_.objects(utime_), &UnknownObject::is_static);
+  }
+
+ private:
+  UnknownObjects objects_{UnknownObjectParameters()};
+  std::vector<WorldBeam> beams_;
+  std::vector<bool> is_unknown_;
+  std::int64_t utime_ = 0;
+};
+
+TEST(UnknownObjects, WhatIsNarrowHasToStayForLonger) {
+  for (const int cells : {1, 3}) {
+    StandingThing narrow(cells);
+    EXPECT_EQ(narrow.statics_after(3.0), 0) << cells;
+    EXPECT_EQ(narrow.statics_after(3.0), 1) << cells;
+  }
+  EXPECT_EQ(StandingThing(4).statics_after(3.0), 1);
 }
 
 TEST(UnknownObjects, AreBoundedInNumber) {
