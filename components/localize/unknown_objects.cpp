@@ -90,6 +90,7 @@ void UnknownObjects::hit(const Vector2& place, std::int64_t utime) {
 
 void UnknownObjects::forget_weakest() {
   std::vector<double> counts;
+  counts.reserve(cells_.size());
   for (const auto& [key, cell] : cells_) counts.push_back(cell.count);
   const auto half = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
   std::nth_element(counts.begin(), half, counts.end());

@@ -35,8 +35,8 @@ Box box_of(const Scene& scene, const DrawingOptions& options, const Counts& coun
 
 /// Single beams that went astray count only where there is nothing else.
 Box box_of(const Scene& scene, const DrawingOptions& options) {
-  Box box = box_of(
-      scene, options, [](Layer layer) { return layer != Layer::beams && layer != Layer::robot; });
+  Box box = box_of(scene, options,
+                   [](Layer layer) { return layer != Layer::beams && layer != Layer::robot; });
   if (!box.is_empty()) return box;
   const Box of_all = box_of(scene, options, [](Layer) { return true; });
   return of_all.is_empty() ? Box{Vector2::Zero(), Vector2::Zero()} : of_all;

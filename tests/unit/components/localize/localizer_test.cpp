@@ -141,8 +141,9 @@ class Drive {
 
   WorldPosition turn(double radians) {
     WorldPosition last;
-    for (double turned = 0.0; turned < radians; turned += 0.1) {
-      in_local_.a = wrap_angle(in_local_.a + 0.1);
+    constexpr double kStep = 0.1;
+    for (int i = 0; i * kStep < radians; ++i) {
+      in_local_.a = wrap_angle(in_local_.a + kStep);
       last = look();
     }
     return last;
