@@ -10,8 +10,8 @@ namespace perceptor {
 namespace {
 
 /// Messages that LCM holds until they are checked, of up to 64 kB each: of one channel, and of all
-/// where they come through one subscription. What is beyond that LCM drops in silence; their
-/// numbers are missed.
+/// where they come through one subscription. It keeps the room that they took. More it drops in
+/// silence; their numbers are missed.
 constexpr int kUnchecked = 500;
 constexpr int kUncheckedOfAll = 3000;
 

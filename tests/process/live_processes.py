@@ -1,6 +1,8 @@
 """Real processes, on the bus of the namespace that a test runs in: see private_bus."""
 
 import argparse
+import contextlib
+import ctypes
 import os
 import pathlib
 import signal
@@ -14,6 +16,10 @@ FAILURES = []
 
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("CLASSPATH", "DISPLAY", "LCM_DEFAULT_URL")}
+
+PTRACE_DETACH, PTRACE_SEIZE, PTRACE_INTERRUPT = 17, 0x4206, 0x4207  # <sys/ptrace.h>
+WALL = 0x40000000  # <sys/wait.h>
+LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 def command_line(description):
@@ -57,6 +63,25 @@ def wait_for(condition, seconds, what):
             return value
         time.sleep(0.05)
     raise AssertionError(f"not within {seconds} s: {what}")
+
+
+def _trace(request, process):
+    if LIBC.ptrace(ctypes.c_long(request), ctypes.c_int(process.pid), None, None) != 0:
+        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
+
+
+@contextlib.contextmanager
+def main_threads_held(processes):
+    """Children of this one; their other threads, LCM's that receives among them, go on."""
+    for process in processes:
+        _trace(PTRACE_SEIZE, process)
+        _trace(PTRACE_INTERRUPT, process)
+        os.waitpid(process.pid, WALL)
+    try:
+        yield
+    finally:
+        for process in processes:
+            _trace(PTRACE_DETACH, process)
 
 
 class Processes:
