@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
@@ -57,6 +58,11 @@ std::vector<Site> make_sites(const LocalizeOptions& options, const fs::path& fol
   return sites;
 }
 
+std::vector<TrueView> seen_soon(const std::vector<TrueView>& views) {
+  const auto late = std::ranges::find_if(views, [](const TrueView& v) { return v.time > kSoon; });
+  return {views.begin(), late};
+}
+
 class Protocol {
  public:
   Protocol(const LocalizeOptions& options, const std::vector<Site>& sites)
@@ -73,6 +79,8 @@ class Protocol {
         drive(trial, site, options_.protocol, pipeline_, robot_.laser, options_.log);
     JudgedTrial judged{number, site.name, trial.conditions, judge(driven)};
     judged.outcome.is_ambiguous = elsewhere(site.world, driven.views).has_value();
+    judged.outcome.is_ambiguous_at_first =
+        judged.outcome.is_ambiguous || elsewhere(site.world, seen_soon(driven.views)).has_value();
     judged.outcome.is_ambiguous_after = elsewhere(site.world, driven.views_after).has_value();
     return judged;
   }
@@ -167,7 +175,8 @@ Command add_localize_command(CLI::App& app) {
       "The robot turns in place, then drives where it can for 41 s; a quarter are then carried\n"
       "elsewhere. Found: tracking within 0.10 m and 2 degrees, for 10 s. Elsewhere: tracking, but\n"
       "not there, for over a second. An oracle that knows the drive looks for other places where\n"
-      "it would have looked the same: ambiguous starts count apart.\n"
+      "it would have looked the same: ambiguous starts count apart. Clear by then: it says so\n"
+      "also of what was seen in the first 10 s alone.\n"
       "Examples:\n"
       "  pico-eval localize config/maps/hospital.json --trials 300 --json result.json\n"
       "  pico-eval localize config/maps/hospital.json --only 17 --log trial.lcmlog");

@@ -93,7 +93,7 @@ class Driver {
       const Position step = relative(views_->back().robot_in_world, truth.robot_in_world);
       if (step.location().norm() < kViewDistance && std::abs(step.a) < kViewAngle) return;
     }
-    views_->push_back({truth.robot_in_world,
+    views_->push_back({seconds_between(began_, scan.utime), truth.robot_in_world,
                        localize::choose_beams(beam_ends(to_model(scan), truth.twist), kBeams)});
   }
 

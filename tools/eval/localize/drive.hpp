@@ -25,6 +25,7 @@ struct Fix {
 
 /// What the robot saw from a true pose.
 struct TrueView {
+  double time = 0.0;  ///< [s] since the trial began, or since it was kidnapped
   Position robot_in_world;
   std::vector<localize::Beam> beams;
 };

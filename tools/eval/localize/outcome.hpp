@@ -8,6 +8,8 @@
 
 namespace perceptor {
 
+constexpr double kSoon = 10.0;  ///< [s] in which most should be found
+
 struct OutcomeParameters {
   double distance = 0.1;     ///< [m] from the truth: found
   double angle = 0.035;      ///< [rad] the same: 2 degrees
@@ -27,9 +29,10 @@ struct TrackingError {
 };
 
 struct Outcome {
-  std::optional<double> found;  ///< [s] when it was there, to stay for a while
-  double longest_false = 0.0;   ///< [s] tracking elsewhere, at a stretch
-  bool is_ambiguous = false;    ///< elsewhere the drive would have looked the same
+  std::optional<double> found;         ///< [s] when it was there, to stay for a while
+  double longest_false = 0.0;          ///< [s] tracking elsewhere, at a stretch
+  bool is_ambiguous = false;           ///< elsewhere the drive would have looked the same
+  bool is_ambiguous_at_first = false;  ///< of what it saw in the first kSoon the same is true
   bool said_ambiguous = false;
   TrackingError error;
   CombinedScore combined;

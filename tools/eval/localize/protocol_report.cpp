@@ -32,6 +32,13 @@ auto is_shut_flush(double clutter) {
   };
 }
 
+/// What would have told this place from another was seen before kSoon.
+auto is_clear_soon(double clutter) {
+  return [=](const JudgedTrial& trial) {
+    return is_shut_flush(clutter)(trial) && !trial.outcome.is_ambiguous_at_first;
+  };
+}
+
 bool is_kidnapped(const JudgedTrial& trial) {
   return trial.outcome.was_tracking && !trial.outcome.is_ambiguous_after;
 }
@@ -127,6 +134,7 @@ Json json_of(const JudgedTrial& trial) {
                {"outliers", c.outliers},
                {"displaced", c.displaced},
                {"ambiguous", o.is_ambiguous},
+               {"ambiguous_at_first", o.is_ambiguous_at_first},
                {"said_ambiguous", o.said_ambiguous},
                {"found", json_of(o.found)},
                {"longest_false", o.longest_false}};
@@ -144,11 +152,15 @@ const std::vector<ProtocolLine>& protocol_lines() {
   static const auto always = [](const JudgedTrial&) { return true; };
   static const std::vector<ProtocolLine> lines = {
       {"clutter 20 %, doors shut flush: found in 10 s", 0.97, true, is_shut_flush(0.2),
-       found_within(10.0)},
+       found_within(kSoon)},
+      {"clutter 20 %, flush, clear by then: in 10 s", 0.97, true, is_clear_soon(0.2),
+       found_within(kSoon)},
       {"clutter 20 %, doors shut flush: found in 30 s", 0.99, true, is_shut_flush(0.2),
        found_within(30.0)},
       {"clutter 40 %, doors shut flush: found in 10 s", 0.90, true, is_shut_flush(0.4),
-       found_within(10.0)},
+       found_within(kSoon)},
+      {"clutter 40 %, flush, clear by then: in 10 s", 0.90, true, is_clear_soon(0.4),
+       found_within(kSoon)},
       {"clutter 40 %, doors shut flush: found in 30 s", 0.95, true, is_shut_flush(0.4),
        found_within(30.0)},
       {"all clear starts: found in 30 s", 0.95, true,

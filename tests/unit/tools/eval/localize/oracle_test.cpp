@@ -28,7 +28,7 @@ localize::World world_of(const std::vector<Segment>& walls) {
 
 /// What a robot that turns in place sees all around.
 std::vector<TrueView> views(const std::vector<Segment>& walls, const Position& robot) {
-  TrueView view{robot, {}};
+  TrueView view{0.0, robot, {}};
   for (int k = 0; k < 72; ++k) {
     const double bearing = 2.0 * std::numbers::pi * (k + 0.5) / 72.0;
     view.beams.push_back({{0.0, 0.0},

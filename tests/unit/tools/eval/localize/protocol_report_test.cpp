@@ -39,6 +39,18 @@ TEST(ProtocolReport, JsonCountsLinesAndTrials) {
   EXPECT_GT(in_ten_seconds["high"], 1.0 / 3.0);
 }
 
+TEST(ProtocolReport, CountsWhatCouldNotBeToldSoonerApart) {
+  JudgedTrial late = trial(1, 12.0, 0.0);
+  late.outcome.is_ambiguous_at_first = true;
+  const auto json = nlohmann::json::parse(report_json({late, trial(2, 2.0, 0.0)}, 7));
+  const auto& in_ten_seconds = json["lines"][0];
+  const auto& clear_by_then = json["lines"][1];
+  EXPECT_EQ(in_ten_seconds["trials"], 2);
+  EXPECT_EQ(in_ten_seconds["hits"], 1);
+  EXPECT_EQ(clear_by_then["trials"], 1);
+  EXPECT_EQ(clear_by_then["hits"], 1);
+}
+
 TEST(ProtocolReport, AmbiguousStartsNeedNotBeFound) {
   JudgedTrial ambiguous = trial(1, std::nullopt, 0.0);
   ambiguous.outcome.is_ambiguous = true;
