@@ -63,7 +63,7 @@ TEST_P(KnownBuilding, RobotIsWhereItIsSaidToBe) {
            {program("pico-convert"), scratch / "drive.log", scratch / "in.lcmlog"},
            {program("pico-replay"), scratch / "in.lcmlog", scratch / "out.lcmlog", "--set",
             "scan.aligner.max_gap=3", "--config-dir", config, "--map", scratch / "wean.json"}}) {
-    const Finished finished = run(command, Seconds(kSanitized ? 900 : 300));
+    const Finished finished = run(command, Seconds(kSanitized ? 3600 : 300));
     ASSERT_EQ(finished.exit_code, 0) << finished.output;
   }
 
