@@ -47,6 +47,14 @@ fs::path robot_file_beside(const fs::path& config_file) {
   return fs::exists(beside) ? beside : default_config_directory() / "robot.json";
 }
 
+/// The folder of maps and worlds: that of the configuration file, where there are any; a lone file
+/// takes the default ones.
+fs::path config_directory_of(const fs::path& config_file) {
+  const fs::path beside = config_file.parent_path();
+  const bool has_own = fs::exists(beside / "maps") || fs::exists(beside / "worlds");
+  return has_own ? beside : default_config_directory();
+}
+
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const Face& face,
                                                   const config::Describe& describe) {
   const std::string program = "pico-" + std::string(face.name);
@@ -85,7 +93,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const F
     std::cout << config::print(describe) << '\n';
     return kExitOk;
   }
-  options.config_dir = config_file.parent_path();
+  options.config_dir = config_directory_of(config_file);
   return options;
 }
 

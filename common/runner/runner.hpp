@@ -49,7 +49,7 @@ struct Face {
 
 struct Options {
   std::string lcm_url;               ///< empty: LCM_DEFAULT_URL, else LCM's own default
-  std::filesystem::path config_dir;  ///< where the configuration file was found
+  std::filesystem::path config_dir;  ///< of maps and worlds
 };
 
 /// Reads command line and configuration files into what `describe` binds. Gives an exit code

@@ -58,5 +58,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadMap{"Empty", "", "line 1"}),
     [](const auto& map) { return std::string(map.param.name); });
 
+TEST(Vectorize, WhatIsAskedOfAPlainImageIsNotTakenForAYamlFile) {
+  const ScratchFolder scratch;
+  const auto file = scratch / "map.yaml";
+  std::ofstream(file) << "image: map.pgm\n";
+  const Finished refused =
+      run({program("pico-vectorize"), file, scratch / "map.json", "--free", "0.5"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.output.find("YAML"), std::string::npos) << refused.output;
+}
+
 }  // namespace
 }  // namespace perceptor::test

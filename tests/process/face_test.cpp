@@ -1,4 +1,7 @@
 /// Every process has the same face.
+#include <fstream>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "tests/process/harness.hpp"
@@ -70,6 +73,20 @@ TEST(Face, NamesTheNearestKeyAndTheFile) {
   for (const std::string& word :
        {file.string(), std::string("/methot"), std::string("did you mean \"method\"")})
     EXPECT_NE(typo.output.find(word), std::string::npos) << word << " not in " << typo.output;
+}
+
+TEST(Face, ALoneConfigurationFileTakesTheMapsAndWorldsThatThereAre) {
+  const ScratchFolder scratch;
+  const auto file = scratch / "mine.json";
+  std::ofstream(file) << "{}";
+  for (const auto& [component, option] :
+       {std::pair("globalmap", "--map"), std::pair("localize", "--map"),
+        std::pair("bridge", "--world")}) {
+    const Finished refused = run({program(std::string("pico-") + component), "--config", file,
+                                  "--lcm-url", "memq://", option, "no_such"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_NE(refused.output.find("hospital"), std::string::npos) << refused.output;
+  }
 }
 
 }  // namespace

@@ -218,11 +218,11 @@ def main():
 
 if __name__ == "__main__":
     parser = command_line(__doc__)
-    parser.add_argument("--kills", type=int, default=5)
+    parser.add_argument("--kills", type=int, default=5, help="how many")
     parser.add_argument("--pause", type=float, default=3.0, help="[s] from one to the next")
     parser.add_argument("--settle", type=float, default=15.0, help="[s] from the last to the score")
     parser.add_argument("--stop", default="bridge,merge,localize", help="who stands still")
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1, help="of who is killed, and when")
     options = read_options(parser)
     options.stop = options.stop.split(",")
     TYPES = bus_messages.generated_types(options.out)

@@ -24,7 +24,9 @@ LIBC = ctypes.CDLL(None, use_errno=True)
 
 def command_line(description):
     """What every script here is told: where the programs are, and where its files may stay."""
-    parser = argparse.ArgumentParser(description=description.partition("\n\n")[0])
+    summary, _, details = description.partition("\n\n")
+    parser = argparse.ArgumentParser(description=summary, epilog=details,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
     parser.add_argument("--out", type=pathlib.Path, help="where logs stay")
     parser.add_argument("--sanitized", action="store_true", help="a sanitizer watches the "

@@ -101,10 +101,11 @@ int main(int argc, char** argv) {
                  "[s] from beam to beam; 0: all beams at once; default: as recorded")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--valid-min", options.events.valid_min,
-                 "[m] a shorter range is no return; default: as recorded")
+                 "[m] a shorter range is no return; default: as recorded, else 0.05")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--valid-max", options.events.valid_max,
-                 "[m] a longer range is no return; default: as recorded")
+  app.add_option(
+         "--valid-max", options.events.valid_max,
+         "[m] a longer range is no return; default: as recorded, else 1 % below the laser's most")
       ->check(CLI::PositiveNumber);
   app.add_option("--laser-topic", options.topics.laser, "of a bag: sensor_msgs/LaserScan")
       ->capture_default_str();

@@ -6,7 +6,8 @@
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Scores a recorded log, or walls extracted from single scans; makes such scans, and worlds.",
+      "Scores a recorded log, walls extracted from single scans, or localize in known buildings;\n"
+      "makes such scans, and worlds; soaks.",
       "pico-eval"};
   app.require_subcommand(1);
   const std::array commands = {

@@ -96,9 +96,9 @@ int replay_log(const ReplayOptions& options) {
 int main(int argc, char** argv) {
   perceptor::ReplayOptions options;
   CLI::App app{
-      "Runs a log through locate, proximity, scan, merge and identify in one process, "
-      "as fast as it goes; with --map through localize too. The same log gives the same bytes,\n"
-      "whenever and wherever.",
+      "Runs a log through locate, proximity, scan, merge and identify in one process, as fast as\n"
+      "it goes; with --map through localize too. The same log gives the same bytes, whenever and\n"
+      "wherever.",
       "pico-replay"};
   app.add_option("IN", options.in, "an LCM event log; its PICO_* channels are the input")
       ->required();

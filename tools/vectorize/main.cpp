@@ -36,8 +36,9 @@ int vectorize_file(VectorizeOptions options) {
   const Floorplan plan = vectorize(grid, options.parameters);
   if (plan.walls.empty())
     throw std::runtime_error(options.in.string() +
-                             ": no occupied cell beside a free one: no walls (see --negate, "
-                             "--occupied, --free)");
+                             ": no occupied cell beside a free one: no walls (see " +
+                             (is_yaml(options.in) ? "its negate, occupied_thresh, free_thresh)"
+                                                  : "--negate, --occupied, --free)"));
   write_floorplan(plan, "From " + options.in.filename().string(), options.out);
   std::cerr << "pico-vectorize: " << grid.width << " x " << grid.height << " cells, "
             << plan.walls.size() << " walls\n";
@@ -57,17 +58,19 @@ int main(int argc, char** argv) {
       ->required()
       ->check(CLI::ExistingFile);
   app.add_option("OUT", options.out, "the map file to write, JSON")->required();
-  app.add_option("--resolution", options.image.resolution, "[m] side of a pixel of a plain image")
+  CLI::App* image = app.add_option_group("Plain image", "A YAML file tells these itself");
+  image->add_option("--resolution", options.image.resolution, "[m] side of a pixel")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--origin", options.origin,
-                 "x y a of its lower left corner, in the world [m, rad]")
+  image
+      ->add_option("--origin", options.origin,
+                   "x y a of its lower left corner, in the world [m, rad]")
       ->expected(3);
-  app.add_flag("--negate", options.image.negate, "white is occupied");
-  app.add_option("--occupied", options.image.occupied_thresh, "as dark as this: occupied")
+  image->add_flag("--negate", options.image.negate, "white is occupied");
+  image->add_option("--occupied", options.image.occupied_thresh, "as dark as this: occupied")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--free", options.image.free_thresh, "lighter than this: free")
+  image->add_option("--free", options.image.free_thresh, "lighter than this: free")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   app.add_option("--tolerance", options.parameters.tolerance,
@@ -92,5 +95,9 @@ int main(int argc, char** argv) {
       "  pico-vectorize map.yaml building.json &&\n"
       "    pico-localize --config config/localize_scanned_map.json --map building.json\n"
       "  pico-vectorize heightmap.png building.json --resolution 0.025");
-  return perceptor::run_tool(app, argc, argv, [&] { return perceptor::vectorize_file(options); });
+  return perceptor::run_tool(app, argc, argv, [&] {
+    if (perceptor::is_yaml(options.in) && image->count_all() > 0)
+      throw CLI::ValidationError("IN", "a YAML file tells itself what a plain image is asked for");
+    return perceptor::vectorize_file(options);
+  });
 }

@@ -131,7 +131,8 @@ int main(int argc, char** argv) {
                  "the bus; without it LCM_DEFAULT_URL, else LCM's own default");
   app.add_option("--wait", options.wait_for,
                  "only wait for a STATUS of each of these components (locate,scan,...), and exit")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app.add_option("--wait-log", options.wait_log,
                  "only wait until lcm-logger has written to this file, and exit");
   app.add_flag("--check", options.check, "only open the bus; exit code 1 where that fails");
