@@ -11,7 +11,7 @@ namespace {
 
 class FaceTest : public testing::TestWithParam<std::string> {
  protected:
-  Finished call(const std::string& option, const std::string& value = {}) const {
+  static Finished call(const std::string& option, const std::string& value = {}) {
     std::vector<std::string> command = {program("pico-" + GetParam()), option};
     if (!value.empty()) command.push_back(value);
     return run(command, Seconds(20));

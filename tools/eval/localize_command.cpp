@@ -46,6 +46,7 @@ struct LocalizeOptions {
 /// Those named, and some that are made here, in `folder`.
 std::vector<Site> make_sites(const LocalizeOptions& options, const fs::path& folder) {
   std::vector<Site> sites;
+  sites.reserve(options.maps.size() + options.generated);
   for (const fs::path& map : options.maps) sites.push_back(read_site(map));
   RandomWorldParameters parameters;
   parameters.seed = options.protocol.seed;
