@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import time
 
+from machines import LIBC, check
+
 COMPONENTS = ["locate", "scan", "merge", "identify", "proximity", "globalmap", "localize"]
 
 FAILURES = []
@@ -19,7 +21,6 @@ ENVIRONMENT = {name: value for name, value in os.environ.items()
 
 PTRACE_DETACH, PTRACE_SEIZE, PTRACE_INTERRUPT = 17, 0x4206, 0x4207  # <sys/ptrace.h>
 WALL = 0x40000000  # <sys/wait.h>
-LIBC = ctypes.CDLL(None, use_errno=True)
 
 
 def command_line(description):
@@ -68,8 +69,7 @@ def wait_for(condition, seconds, what):
 
 
 def _trace(request, process):
-    if LIBC.ptrace(ctypes.c_long(request), ctypes.c_int(process.pid), None, None) != 0:
-        raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
+    check(LIBC.ptrace(ctypes.c_long(request), ctypes.c_int(process.pid), None, None))
 
 
 @contextlib.contextmanager

@@ -25,7 +25,8 @@ def skip(why):
     sys.exit(SKIPPED)
 
 
-def _check(result):
+def check(result):
+    """Of a call of LIBC."""
     if result != 0:
         raise OSError(ctypes.get_errno(), os.strerror(ctypes.get_errno()))
 
@@ -37,22 +38,22 @@ class Machine:
         self.name = name
         with open("/proc/thread-self/ns/net", "rb") as home:
             try:
-                _check(LIBC.unshare(CLONE_NEWNET))
+                check(LIBC.unshare(CLONE_NEWNET))
             except OSError as error:
                 skip(f"no network namespace can be had: {error}")
             self.namespace = open("/proc/thread-self/ns/net", "rb")
-            _check(LIBC.setns(home.fileno(), CLONE_NEWNET))
+            check(LIBC.setns(home.fileno(), CLONE_NEWNET))
         self.ip("link set lo up")
 
     @contextlib.contextmanager
     def inside(self):
         """What this thread opens in here belongs to the machine."""
         with open("/proc/thread-self/ns/net", "rb") as home:
-            _check(LIBC.setns(self.namespace.fileno(), CLONE_NEWNET))
+            check(LIBC.setns(self.namespace.fileno(), CLONE_NEWNET))
             try:
                 yield
             finally:
-                _check(LIBC.setns(home.fileno(), CLONE_NEWNET))
+                check(LIBC.setns(home.fileno(), CLONE_NEWNET))
 
     @property
     def path(self):
