@@ -34,6 +34,14 @@ std::string footer(const Face& face, const config::Describe& describe) {
          "Exit codes: 0 finished or stopped, 1 failed, 2 command line or configuration.";
 }
 
+/// The folder of maps and worlds: that of the configuration file, where there are any; a lone file
+/// takes the default ones.
+fs::path config_directory_of(const fs::path& config_file) {
+  const fs::path beside = config_file.parent_path();
+  const bool has_own = fs::exists(beside / "maps") || fs::exists(beside / "worlds");
+  return has_own ? beside : default_config_directory();
+}
+
 }  // namespace
 
 fs::path default_config_directory() {
@@ -45,14 +53,6 @@ fs::path default_config_directory() {
 fs::path robot_file_beside(const fs::path& config_file) {
   const fs::path beside = config_file.parent_path() / "robot.json";
   return fs::exists(beside) ? beside : default_config_directory() / "robot.json";
-}
-
-/// The folder of maps and worlds: that of the configuration file, where there are any; a lone file
-/// takes the default ones.
-fs::path config_directory_of(const fs::path& config_file) {
-  const fs::path beside = config_file.parent_path();
-  const bool has_own = fs::exists(beside / "maps") || fs::exists(beside / "worlds");
-  return has_own ? beside : default_config_directory();
 }
 
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv, const Face& face,
